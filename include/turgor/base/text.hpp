@@ -1,0 +1,14 @@
+#pragma once
+// Numbers as text, for messages and files.
+
+#include <string>
+
+namespace turgor {
+
+/// The shortest decimal text that reads back as exactly this double.
+[[nodiscard]] std::string shortest(double value);
+
+/// A number for people: at most `digits` significant digits.
+[[nodiscard]] std::string rounded(double value, int digits = 4);
+
+}  // namespace turgor

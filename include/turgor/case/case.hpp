@@ -1,0 +1,74 @@
+#pragma once
+// A case: one balloon and the question asked of it, as read from a TOML file.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "turgor/case/schema.hpp"
+#include "turgor/oscillator/oscillator.hpp"
+
+namespace turgor {
+
+/// How to integrate and which times to write.
+struct SolveSettings {
+  double t_end;               ///< [s]
+  double rtol;
+  double atol;
+  long samples;               ///< uniform rows from 0 to t_end, both included; 0 when times are given
+  std::vector<double> times;  ///< [s]; rows at exactly these times
+  long max_events;            ///< 0: no limit
+  double rest_tol;            ///< 0: never
+  long max_steps;
+};
+
+/// Units of tables and pictures.
+struct OutputSettings {
+  std::string time_unit, length_unit, pressure_unit, volume_unit, flow_unit, energy_unit;
+  bool pictures;
+};
+
+/// An expected quantity of interest: |quantity - value| <= tolerance, in SI units.
+struct Expectation {
+  std::string quantity;
+  double value;
+  double tolerance;
+};
+
+struct Case {
+  std::string title;
+  Parameters<double> parameters;
+  std::string material_name;
+  PressureProgram<double> pressure = constant_pressure(0.0);
+  double stretch = 1;
+  double stretch_rate = 0;  ///< [1/s]
+  double max_stretch = 0;   ///< 0: never bursts
+  std::optional<Model> model;  ///< nothing: chosen by the size of the dropped terms
+  double auto_tolerance = 0.05;
+  Scales<double> scales{};
+  SolveSettings solve{};
+  OutputSettings output{};
+  std::vector<Expectation> expectations;
+
+  std::filesystem::path file;  ///< where it was read from
+  std::string source;          ///< the file, verbatim
+  std::string resolved;        ///< everything resolved, as TOML; running it again gives identical results
+};
+
+/// All keys that a case file can have.
+[[nodiscard]] const Schema& case_schema();
+
+/// Reads a case file.
+/// @param overrides  "table.key=value", applied in order
+/// @throws InvalidInput with every issue that could be found
+[[nodiscard]] Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+/// The same from text; relative file names in it start from file's folder.
+[[nodiscard]] Case parse_case(const std::string& text, const std::filesystem::path& file,
+                              const std::vector<std::string>& overrides = {});
+
+/// The resolved case with the model that was chosen for `model.name = "auto"`.
+[[nodiscard]] std::string resolved_with(const Case& c, Model model);
+
+}  // namespace turgor

@@ -1,0 +1,49 @@
+#pragma once
+// A parsed case file: a tree of values that know where they stand.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace turgor {
+
+/// One value of a case file.
+struct Node {
+  using Array = std::vector<Node>;
+  using Table = std::vector<std::pair<std::string, Node>>;  ///< in the order of the file
+
+  /// A value of a type that no key takes, such as a date; holds its TOML text.
+  struct Other {
+    std::string text;
+  };
+
+  std::variant<Table, Array, std::string, std::int64_t, double, bool, Other> value;
+  std::string file;  ///< "--set" for an override
+  int line = 0;
+
+  template <class Type>
+  [[nodiscard]] const Type* as() const {
+    return std::get_if<Type>(&value);
+  }
+  /// The entry of a table, or nothing.
+  [[nodiscard]] const Node* find(std::string_view key) const;
+  /// As it would be written in a file, shortened when long.
+  [[nodiscard]] std::string text() const;
+  /// "a table", "a string", ...
+  [[nodiscard]] std::string_view type_name() const;
+};
+
+/// Parses TOML text.
+/// @param file  name for messages
+/// @throws InvalidInput with file and line when it is not valid TOML
+[[nodiscard]] Node parse_toml(std::string_view text, const std::string& file);
+
+/// Replaces or adds one value: "inlet.orifice_radius=2 cm", "pressure.segments[0].to=30 kPa". What is right of the equals
+/// sign is read as TOML where it is valid TOML (numbers, true, arrays, quoted strings) and as a bare string otherwise.
+/// @throws InvalidInput when the text has no key, or the path runs through something that is not a table or list
+void apply_override(Node& root, std::string_view assignment);
+
+}  // namespace turgor

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cmath>
+
+#include "turgor/material/limited_chain.hpp"
+
+namespace turgor {
+
+/// Gent-Gent solid: W = -(mu jm/2) ln(1 - (I1 - 3)/jm) + c2 ln(I2/3).
+///
+/// E. Pucci & G. Saccomandi, Rubber Chem. Technol. 75 (2002) 839; for balloons: R. Mangan & M. Destrade,
+/// Int. J. Non-Linear Mech. 68 (2015) 52. Small-strain shear modulus mu + 2 c2/3.
+template <class T>
+struct GentGent {
+  T mu;  ///< [Pa]
+  T jm;  ///< largest I1 - 3 [1]
+  T c2;  ///< [Pa]
+
+  /// W and its derivatives at stretch lambda > 0; all +infinity from stretch_limit() on.
+  template <class S>
+  [[nodiscard]] Jet<S> energy(const S& lambda) const {
+    using std::log;
+    using std::log1p;
+    const Jet<S> i1 = first_invariant_minus_3(lambda);
+    const Jet<S> i2 = second_invariant_minus_3(lambda);
+    const Jet<S> chains = of_invariant(gent_function(mu, jm, i1.value), i1);
+    const S whole = i2.value + 3.0;
+    S logarithm;
+    if constexpr (requires { log1p(i2.value); }) {
+      logarithm = log1p(i2.value / 3.0);
+    } else {
+      logarithm = log(whole / 3.0);
+    }
+    const S first = i2.first / whole;
+    return {chains.value + c2 * logarithm, chains.first + c2 * first,
+            chains.second + c2 * (i2.second / whole - first * first)};
+  }
+
+  /// Stretch at which the chains are fully extended [1].
+  [[nodiscard]] T stretch_limit() const { return limiting_stretch(jm); }
+};
+
+}  // namespace turgor

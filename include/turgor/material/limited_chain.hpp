@@ -1,0 +1,55 @@
+#pragma once
+// What the Gent family shares: a strain energy that becomes infinite where I1 - 3 reaches jm.
+
+#include <cmath>
+#include <complex>
+#include <limits>
+
+#include "turgor/material/equibiaxial.hpp"
+
+namespace turgor {
+
+/// Stretch > 1 at which I1 - 3 = jm, that is 2 lambda^2 + lambda^-4 = 3 + jm. jm > 0.
+/// With x = lambda^2, 2x + x^-2 is convex and increasing for x > 1, so Newton from the right converges monotonically.
+template <class T>
+[[nodiscard]] T limiting_stretch(const T& jm) {
+  using std::sqrt;
+  T x = (T(3) + jm) / T(2);
+  for (int i = 0; i < 100; ++i) {
+    const T next = x - (2 * x + 1 / (x * x) - 3 - jm) / (2 - 2 / (x * x * x));
+    if (!(next < x)) break;
+    x = next;
+  }
+  return sqrt(x);
+}
+
+template <class S>
+[[nodiscard]] auto real_part(const S& value) {
+  return value;
+}
+template <class T>
+[[nodiscard]] T real_part(const std::complex<T>& value) {
+  return value.real();
+}
+
+/// -(mu jm/2) ln(1 - j/jm) as a function of j = I1 - 3, with derivatives; all +infinity from j = jm on.
+template <class T, class S>
+[[nodiscard]] Jet<S> gent_function(const T& mu, const T& jm, const S& j) {
+  using std::log1p;
+  using std::log;
+  const S left = 1.0 - j / jm;
+  if (!(real_part(left) > 0)) {
+    const S infinite(std::numeric_limits<T>::infinity());
+    return {infinite, infinite, infinite};
+  }
+  const S first = (mu / 2) / left;
+  S logarithm;
+  if constexpr (requires { log1p(j); }) {
+    logarithm = log1p(-j / jm);
+  } else {
+    logarithm = log(left);
+  }
+  return {-(mu * jm / 2) * logarithm, first, first / (left * jm)};
+}
+
+}  // namespace turgor

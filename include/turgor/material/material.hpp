@@ -1,0 +1,76 @@
+#pragma once
+// Any of the materials, and the catalogue that says what each is called and which constants it takes.
+// A new material is one header beside this one, one alternative in Material and one entry in catalogue().
+
+#include <limits>
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "turgor/material/arruda_boyce.hpp"
+#include "turgor/material/fung.hpp"
+#include "turgor/material/gent.hpp"
+#include "turgor/material/gent_gent.hpp"
+#include "turgor/material/mooney_rivlin.hpp"
+#include "turgor/material/neo_hookean.hpp"
+#include "turgor/material/ogden.hpp"
+#include "turgor/material/yeoh.hpp"
+
+namespace turgor {
+
+/// One of the known hyperelastic materials; T is the type of its constants.
+template <class T>
+using Material = std::variant<MooneyRivlin<T>, NeoHookean<T>, Yeoh<T>, Gent<T>, GentGent<T>, Ogden<T>, Fung<T>, ArrudaBoyce<T>>;
+
+/// Strain energy density W [J/m^3] at stretch lambda > 0, with dW/dlambda and d2W/dlambda2 [Pa].
+/// All three are +infinity at or beyond stretch_limit(material).
+template <class T, class S>
+[[nodiscard]] Jet<S> strain_energy(const Material<T>& material, const S& lambda) {
+  return std::visit([&](const auto& solid) { return solid.energy(lambda); }, material);
+}
+
+/// Stretch at which the material locks [1]; +infinity when it never does.
+template <class T>
+[[nodiscard]] T stretch_limit(const Material<T>& material) {
+  return std::visit(
+      [](const auto& solid) -> T {
+        if constexpr (requires { solid.stretch_limit(); }) {
+          return solid.stretch_limit();
+        } else {
+          return std::numeric_limits<T>::infinity();
+        }
+      },
+      material);
+}
+
+/// One constant of a material, as a case file names it.
+struct MaterialConstant {
+  std::string_view key;
+  std::string_view unit;      ///< SI unit, "1" when dimensionless
+  bool is_list = false;       ///< a list of values, one per term
+  bool positive = false;      ///< must be > 0 (each value)
+  std::string_view meaning;
+};
+
+/// One entry of the catalogue of materials.
+struct MaterialEntry {
+  std::string_view name;       ///< as in `model = "..."`
+  std::string_view energy;     ///< strain energy density in words of algebra
+  std::string_view reference;
+  std::vector<MaterialConstant> constants;
+};
+
+/// All materials in the order of Material's alternatives.
+[[nodiscard]] const std::vector<MaterialEntry>& catalogue();
+
+/// The constants of a material by key, in SI units.
+using MaterialValues = std::map<std::string, std::vector<double>, std::less<>>;
+
+/// Builds a material from its name and constants.
+/// @throws InvalidInput naming every constant that is missing, not finite, out of range, or that makes the
+///         unstretched material unstable (d2W/dlambda2 <= 0 at lambda = 1).
+[[nodiscard]] Material<double> make_material(std::string_view name, const MaterialValues& values);
+
+}  // namespace turgor

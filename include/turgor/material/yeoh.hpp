@@ -1,0 +1,26 @@
+#pragma once
+
+#include "turgor/material/equibiaxial.hpp"
+
+namespace turgor {
+
+/// Yeoh solid: W = c1 (I1 - 3) + c2 (I1 - 3)^2 + c3 (I1 - 3)^3.
+///
+/// O. H. Yeoh, Rubber Chem. Technol. 66 (1993) 754. Small-strain shear modulus 2 c1; c2 is often negative.
+template <class T>
+struct Yeoh {
+  T c1;  ///< [Pa]
+  T c2;  ///< [Pa]
+  T c3;  ///< [Pa]
+
+  /// W and its derivatives at stretch lambda > 0.
+  template <class S>
+  [[nodiscard]] Jet<S> energy(const S& lambda) const {
+    const Jet<S> i1 = first_invariant_minus_3(lambda);
+    const S& j = i1.value;
+    const Jet<S> f{j * (c1 + j * (c2 + j * c3)), c1 + j * (2.0 * c2 + j * (3.0 * c3)), 2.0 * c2 + j * (6.0 * c3)};
+    return of_invariant(f, i1);
+  }
+};
+
+}  // namespace turgor

@@ -1,0 +1,89 @@
+#pragma once
+// The balloon in SI units, and the scales that make it dimensionless.
+
+#include "turgor/closure/closure.hpp"
+#include "turgor/material/material.hpp"
+#include "turgor/pressure/program.hpp"
+
+namespace turgor {
+
+/// Everything that eq. (2.22) needs to know about one balloon, in SI units.
+template <class T>
+struct Parameters {
+  T radius;              ///< unstretched radius r0 [m]
+  T thickness;           ///< unstretched wall thickness d0 [m]
+  T solid_density;       ///< rho_s [kg/m^3]
+  T fluid_density;       ///< rho_f [kg/m^3]
+  T fluid_viscosity;     ///< mu_f [Pa s]; the model is inviscid, this only serves to judge that
+  T orifice_radius;      ///< r_ch [m]
+  T channel_length;      ///< L_ch [m]; 0 without a channel
+  Material<T> material;
+  Closure closure = Closure::corrected;
+};
+
+/// Scales of eq. (2.21). One clock for both regimes: eqs. (3.6a) and (3.6b) name two different ones, and a trajectory
+/// that switches regime can only be written on one.
+template <class T>
+struct Scales {
+  T length;    ///< r0 [m]
+  T pressure;  ///< p_typ [Pa]
+  T time;      ///< t_typ [s]
+
+  /// Energy [J] of one unit of the dimensionless energy: the work of p_typ on 4 pi r0^3.
+  [[nodiscard]] T energy() const { return 4 * std::numbers::pi_v<T> * length * length * length * pressure; }
+};
+
+/// Dimensionless groups of (2.22), (2.24) and (2.26); see docs/theory.md, section 2.4.
+template <class T>
+struct Groups {
+  T a0;       ///< (rho_s/rho_f) r_ch d0/r0^2, solid inertia in (2.22)
+  T b;        ///< 2 L_ch/r_ch, channel inertia in (2.22)
+  T m;        ///< balloon liquid's inertia during deflation in (2.22)
+  T n;        ///< balloon liquid's centripetal coefficient during deflation in (2.22)
+  T K;        ///< r_ch t_typ^2 p_typ/(2 rho_f r0^3), stiffness prefactor in (2.22)
+  T C1;       ///< (2.24a)
+  T C2;       ///< (2.24b)
+  T C3;       ///< (2.24c)
+  T C1_long;  ///< (2.26a); +infinity without a channel
+  T C2_long;  ///< (2.26b); +infinity without a channel
+};
+
+template <class T>
+[[nodiscard]] Groups<T> groups(const Parameters<T>& p, const Scales<T>& scales) {
+  const ClosureConstants<T> closure = constants<T>(p.closure);
+  const T slenderness = p.radius / p.orifice_radius;
+  Groups<T> g{};
+  g.a0 = p.solid_density / p.fluid_density * p.orifice_radius * p.thickness / (p.radius * p.radius);
+  g.b = 2 * p.channel_length / p.orifice_radius;
+  g.m = closure.inertial;
+  g.n = closure.centripetal * power<3>(slenderness);
+  g.K = p.orifice_radius * scales.time * scales.time * scales.pressure / (2 * p.fluid_density * power<3>(p.radius));
+  g.C1 = g.K / g.m;
+  g.C2 = g.n / g.m;
+  g.C3 = g.K / g.a0;
+  const T infinite = std::numeric_limits<T>::infinity();
+  g.C1_long = g.b > 0 ? g.K / g.b : infinite;
+  g.C2_long = g.b > 0 ? g.n / g.b : infinite;
+  return g;
+}
+
+/// Elastic restoring term E of the oscillator in units of p_typ: d0 W'(R)/(r0 p_typ), with dE/dR.
+/// For Mooney-Rivlin it is S1 (R - R^-5) + S2 (R^3 - R^-3).
+template <class T>
+struct ElasticTerm {
+  T value;
+  T slope;
+};
+template <class T>
+[[nodiscard]] ElasticTerm<T> elastic_term(const Parameters<T>& p, const Scales<T>& scales, const T& stretch) {
+  const Jet<T> w = strain_energy(p.material, stretch);
+  const T factor = p.thickness / (p.radius * scales.pressure);
+  return {factor * w.first, factor * w.second};
+}
+
+/// Scales chosen when none are given: the greatest gauge pressure of the program up to t_end (or the wall's own
+/// d0 W''(1)/r0 when there is none), and the inverse of the deflating balloon's natural frequency about R = 1, which is
+/// stable for every material.
+[[nodiscard]] Scales<double> natural_scales(const Parameters<double>& p, const PressureProgram<double>& program, double t_end);
+
+}  // namespace turgor

@@ -1,0 +1,35 @@
+#pragma once
+// A run as text: JSON for programs, tables for spreadsheets, a summary for people.
+
+#include <string>
+
+#include "turgor/run/run_case.hpp"
+
+namespace turgor {
+
+/// run.json: status, versions, timings, integrator statistics, quantities of interest, model choice, warnings.
+[[nodiscard]] std::string run_json(const Case& c, const RunResult& result);
+
+/// trajectory.csv: one row per requested time, units of [output]; ends where the run ended.
+[[nodiscard]] std::string trajectory_csv(const Case& c, const RunResult& result);
+
+/// dimensionless.csv: T, R, dR/dT, P and regime at the same times, on the one clock of the scales.
+[[nodiscard]] std::string dimensionless_csv(const Case& c, const RunResult& result);
+
+/// events.csv: every change of regime.
+[[nodiscard]] std::string events_csv(const Case& c, const RunResult& result);
+
+/// A few lines for the screen; with `verbose` also the model comparison and the integrator's work.
+[[nodiscard]] std::string summary(const Case& c, const RunResult& result, bool verbose);
+
+/// A time at which tables have a row.
+struct RowTime {
+  double scaled;   ///< T, dimensionless
+  double seconds;  ///< t [s]; exactly as requested
+};
+
+/// The requested times up to where the run ended. A run that came to rest stays there; one that ended early in another way
+/// has its end as the last row.
+[[nodiscard]] std::vector<RowTime> row_times(const Case& c, const RunResult& result);
+
+}  // namespace turgor

@@ -1,0 +1,16 @@
+#pragma once
+// Pictures of a run, drawn by gnuplot from the dense output and the events, never from sampled rows.
+
+#include <filesystem>
+#include <string>
+
+#include "turgor/run/run_case.hpp"
+
+namespace turgor {
+
+/// Draws history.{svg,png} (R over p against t) and portrait.{svg,png} (dR/dt against R, coloured by regime) into a
+/// folder, and leaves the gnuplot scripts that made them beside them.
+/// @return what went wrong, in words for a warning; empty when all is well (a missing gnuplot is no error of the run)
+[[nodiscard]] std::string draw_pictures(const Case& c, const RunResult& result, const std::filesystem::path& folder);
+
+}  // namespace turgor

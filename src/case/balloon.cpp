@@ -1,0 +1,116 @@
+#include "parts.hpp"
+#include "turgor/base/text.hpp"
+
+namespace turgor {
+
+namespace {
+
+std::vector<std::string> material_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : catalogue()) names.emplace_back(entry.name);
+  return names;
+}
+
+ValueKind kind_of(const MaterialConstant& constant) {
+  if (constant.unit == "1") return constant.is_list ? ValueKind::number_list : ValueKind::number;
+  return constant.is_list ? ValueKind::quantity_list : ValueKind::quantity;
+}
+
+}  // namespace
+
+void declare_balloon(Schema& schema) {
+  using enum ValueKind;
+  schema.add({.path = "title", .kind = text, .meaning = "shown in pictures and summaries"});
+
+  schema.describe("balloon", "the unstretched balloon");
+  schema.add({.path = "balloon.radius", .unit = "m", .range = positive, .required = true, .meaning = "radius r0"});
+  schema.add({.path = "balloon.thickness", .unit = "m", .range = positive, .required = true, .meaning = "wall thickness d0"});
+  schema.add({.path = "balloon.density", .unit = "kg/m^3", .range = positive, .required = true, .meaning = "density of the wall"});
+
+  schema.describe("material", "hyperelastic wall; `turgor materials` lists energies and references");
+  schema.add({.path = "material.model", .kind = text, .choices = material_names(), .required = true, .meaning = "material model"});
+  for (const auto& entry : catalogue()) {
+    for (const auto& constant : entry.constants) {
+      schema.add({.path = "material." + std::string(constant.key),
+                  .kind = kind_of(constant),
+                  .unit = std::string(constant.unit),
+                  .range = constant.positive ? positive : Range{},
+                  .required = true,
+                  .only_with = std::string(entry.name),
+                  .meaning = std::string(constant.meaning)});
+    }
+  }
+  schema.add({.path = "material.max_stretch", .kind = number, .range = {1, 1000, true},
+              .meaning = "stretch at which the wall bursts, which ends the run"});
+
+  schema.describe("fluid", "the liquid");
+  schema.add({.path = "fluid.density", .unit = "kg/m^3", .range = positive, .required = true, .meaning = "density"});
+  schema.add({.path = "fluid.viscosity", .unit = "Pa s", .range = positive, .required = true,
+              .meaning = "dynamic viscosity; the model is inviscid, this judges whether that holds"});
+
+  schema.describe("inlet", "orifice and channel");
+  schema.add({.path = "inlet.orifice_radius", .unit = "m", .range = positive, .required = true,
+              .meaning = "radius r_ch of orifice and channel; less than the balloon's"});
+  schema.add({.path = "inlet.channel_length", .unit = "m", .range = not_negative, .fallback = "0 m",
+              .meaning = "length L_ch of the channel; 0 for a bare orifice"});
+}
+
+namespace {
+
+void read_material(Reader& reader, Case& c) {
+  const auto model = reader.text("material.model");
+  c.max_stretch = reader.number("material.max_stretch").value_or(0);
+  if (!model) return;
+  c.material_name = *model;
+  MaterialValues values;
+  bool complete = true;
+  for (const auto& entry : catalogue()) {
+    if (entry.name != *model) continue;
+    for (const auto& constant : entry.constants) {
+      const std::string path = "material." + std::string(constant.key);
+      if (constant.is_list) {
+        const auto list = reader.list(path);
+        complete = complete && list;
+        if (list) values[std::string(constant.key)] = *list;
+      } else {
+        const auto value = reader.number(path);
+        complete = complete && value;
+        if (value) values[std::string(constant.key)] = {*value};
+      }
+    }
+  }
+  if (!complete) return;
+  try {
+    c.parameters.material = make_material(*model, values);
+  } catch (const InvalidInput& error) {
+    reader.complain(error);
+  }
+}
+
+}  // namespace
+
+void read_balloon(Reader& reader, Case& c) {
+  const auto title = reader.text("title");
+  c.title = title ? *title : c.file.stem().string();
+  Parameters<double>& p = c.parameters;
+  const auto radius = reader.number("balloon.radius");
+  const auto thickness = reader.number("balloon.thickness");
+  p.radius = radius.value_or(1);
+  p.thickness = thickness.value_or(1);
+  p.solid_density = reader.number("balloon.density").value_or(1);
+  read_material(reader, c);
+  p.fluid_density = reader.number("fluid.density").value_or(1);
+  p.fluid_viscosity = reader.number("fluid.viscosity").value_or(1);
+  const auto orifice = reader.number("inlet.orifice_radius");
+  p.orifice_radius = orifice.value_or(1);
+  p.channel_length = reader.number("inlet.channel_length").value_or(0);
+  if (radius && thickness && *thickness >= *radius) {
+    reader.complain("balloon.thickness", "the wall is as thick as the balloon", "must be less than balloon.radius, and much less for a membrane");
+  }
+  if (radius && orifice && *orifice >= *radius) {
+    reader.complain("inlet.orifice_radius", "the orifice is larger than the balloon",
+                    "must be less than balloon.radius = " + shortest(*radius) + " m; the model wants a tenth of it or less");
+  }
+}
+
+}  // namespace turgor

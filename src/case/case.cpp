@@ -1,0 +1,67 @@
+#include "turgor/case/case.hpp"
+
+#include <fstream>
+#include <iterator>
+
+#include "parts.hpp"
+
+namespace turgor {
+
+namespace {
+
+struct Part {
+  void (*declare)(Schema&);
+  void (*read)(Reader&, Case&);
+};
+
+/// In reading order: later parts may use what earlier ones have read.
+constexpr Part parts[] = {
+    {declare_balloon, read_balloon}, {declare_pressure, read_pressure}, {declare_solve, read_solve},
+    {declare_motion, read_motion},   {declare_report, read_report},
+};
+
+}  // namespace
+
+const Schema& case_schema() {
+  static const Schema schema = [] {
+    Schema all;
+    for (const Part& part : parts) part.declare(all);
+    return all;
+  }();
+  return schema;
+}
+
+Case parse_case(const std::string& text, const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  Node root = parse_toml(text, file.string());
+  for (const std::string& assignment : overrides) apply_override(root, assignment);
+
+  Case c;
+  c.file = file;
+  c.source = text;
+  Reader reader(case_schema(), root);
+  reader.check_unknown();
+  for (const Part& part : parts) part.read(reader, c);
+  if (!reader.issues().empty()) throw InvalidInput(reader.issues());
+  c.resolved = reader.resolved();
+  return c;
+}
+
+Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  std::ifstream stream(file, std::ios::binary);
+  std::error_code error;
+  if (!stream || !std::filesystem::is_regular_file(file, error)) {
+    throw InvalidInput("", "", "cannot read the case file " + file.string(), "give the path of a TOML file");
+  }
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  return parse_case(text, file, overrides);
+}
+
+std::string resolved_with(const Case& c, Model model) {
+  const std::string automatic = "\nname = \"auto\"\n";
+  std::string text = c.resolved;
+  const std::size_t at = text.find(automatic, text.find("\n[model]\n"));
+  if (at != std::string::npos) text.replace(at, automatic.size(), "\nname = \"" + std::string(name_of(model)) + "\"\n");
+  return text;
+}
+
+}  // namespace turgor

@@ -1,0 +1,95 @@
+#include "csv_table.hpp"
+
+#include <csv.h>
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <memory>
+
+#include "turgor/base/errors.hpp"
+#include "turgor/case/units.hpp"
+
+namespace turgor {
+
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+InvalidInput wrong(const std::filesystem::path& file, std::size_t row, std::string problem, std::string advice = {}) {
+  const std::string where = file.string() + (row > 0 ? ", row " + std::to_string(row) : "");
+  return InvalidInput("", where, std::move(problem), std::move(advice));
+}
+
+Rows parse_rows(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw wrong(file, 0, "cannot be read", "file names are relative to the case file's folder");
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream.good() && !stream.eof()) throw wrong(file, 0, "cannot be read");
+
+  struct State {
+    Rows rows;
+    std::vector<std::string> row;
+  } state;
+  csv_parser parser{};
+  if (csv_init(&parser, CSV_APPEND_NULL) != 0) throw ComputationFailed("the CSV parser could not be started");
+  const std::unique_ptr<csv_parser, void (*)(csv_parser*)> guard(&parser, csv_free);
+  const auto on_field = [](void* field, std::size_t size, void* data) {
+    static_cast<State*>(data)->row.emplace_back(static_cast<const char*>(field), size);
+  };
+  const auto on_row = [](int, void* data) {
+    auto* s = static_cast<State*>(data);
+    s->rows.push_back(std::move(s->row));
+    s->row.clear();
+  };
+  if (csv_parse(&parser, text.data(), text.size(), on_field, on_row, &state) != text.size()) {
+    throw wrong(file, state.rows.size() + 1, csv_strerror(csv_error(&parser)));
+  }
+  csv_fini(&parser, on_field, on_row, &state);
+  return std::move(state.rows);
+}
+
+/// Factor from the unit in a header like "p [kPa]" to the given SI unit.
+double header_factor(const std::filesystem::path& file, const std::string& header, const std::string& unit) {
+  const std::size_t open = header.find('[');
+  const std::size_t close = header.find(']');
+  if (open == std::string::npos || close == std::string::npos || close < open) {
+    throw wrong(file, 1, "the header \"" + header + "\" has no unit", "write it like \"t [s]\" or \"p [kPa]\"");
+  }
+  try {
+    return unit_factor(header.substr(open + 1, close - open - 1), unit);
+  } catch (const InvalidInput& error) {
+    throw wrong(file, 1, "in the header \"" + header + "\" " + error.issues().front().problem, error.issues().front().advice);
+  }
+}
+
+}  // namespace
+
+CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::string>& units) {
+  const Rows rows = parse_rows(file);
+  if (rows.size() < 2) throw wrong(file, 0, "holds no rows of numbers", "give a header and at least two rows");
+  CsvTable columns(units.size());
+  std::vector<double> factors;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    if (rows[r].size() != units.size()) {
+      throw wrong(file, r + 1, "has " + std::to_string(rows[r].size()) + " columns", std::to_string(units.size()) + " are needed");
+    }
+    for (std::size_t i = 0; i < units.size(); ++i) {
+      const std::string& field = rows[r][i];
+      if (r == 0) {
+        factors.push_back(header_factor(file, field, units[i]));
+        continue;
+      }
+      double value = 0;
+      const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+      if (error != std::errc{} || end != field.data() + field.size() || !std::isfinite(value)) {
+        throw wrong(file, r + 1, "\"" + field + "\" is not a finite number");
+      }
+      columns[i].push_back(value * factors[i]);
+    }
+  }
+  return columns;
+}
+
+}  // namespace turgor

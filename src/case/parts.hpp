@@ -1,0 +1,24 @@
+#pragma once
+// The parts a case is made of. Each declares its keys and reads them; later ones may use what earlier ones have read.
+
+#include "turgor/case/case.hpp"
+#include "turgor/case/reader.hpp"
+
+namespace turgor {
+
+void declare_balloon(Schema& schema);  // [balloon] [material] [fluid] [inlet]
+void read_balloon(Reader& reader, Case& c);
+
+void declare_pressure(Schema& schema);  // [pressure]
+void read_pressure(Reader& reader, Case& c);
+
+void declare_solve(Schema& schema);  // [solve]
+void read_solve(Reader& reader, Case& c);
+
+void declare_motion(Schema& schema);  // [initial] [model] [scales]
+void read_motion(Reader& reader, Case& c);
+
+void declare_report(Schema& schema);  // [output] [expect]
+void read_report(Reader& reader, Case& c);
+
+}  // namespace turgor

@@ -1,0 +1,88 @@
+#include "turgor/case/schema.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "turgor/base/text.hpp"
+
+namespace turgor {
+
+bool Range::is_everything() const { return std::isinf(least) && std::isinf(greatest); }
+
+std::string Range::text(const std::string& unit) const {
+  const std::string suffix = unit == "1" ? "" : " " + unit;
+  if (is_everything()) return "any";
+  if (std::isinf(greatest)) return (open_least ? "> " : ">= ") + shortest(least) + suffix;
+  if (std::isinf(least)) return "<= " + shortest(greatest) + suffix;
+  return (open_least ? "above " : "from ") + shortest(least) + " to " + shortest(greatest) + suffix;
+}
+
+std::string without_indices(std::string_view path) {
+  std::string out;
+  bool inside = false;
+  for (const char c : path) {
+    if (c == ']') inside = false;
+    if (!inside) out += c;
+    if (c == '[') inside = true;
+  }
+  return out;
+}
+
+const Key* Schema::find(std::string_view path, std::string_view material) const {
+  const std::string name = without_indices(path);
+  for (const Key& key : keys_) {
+    if (key.path == name && (key.only_with.empty() || key.only_with == material)) return &key;
+  }
+  return nullptr;
+}
+
+bool Schema::has_below(std::string_view path) const {
+  const std::string name = without_indices(path);
+  return std::any_of(keys_.begin(), keys_.end(), [&](const Key& key) {
+    return key.path.starts_with(name + ".") || key.path.starts_with(name + "[].");
+  });
+}
+
+namespace {
+
+/// Levenshtein distance: how many letters to insert, delete or replace.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, replaced});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string Schema::nearest(std::string_view path, std::string_view material) const {
+  const std::string name = without_indices(path);
+  const std::size_t dot = name.rfind('.');
+  const std::string parent = dot == std::string::npos ? "" : name.substr(0, dot + 1);
+  const std::string last = name.substr(parent.size());
+  std::string best;
+  std::size_t best_distance = std::max<std::size_t>(2, last.size() / 2) + 1;
+  for (const Key& key : keys_) {
+    if (!key.path.starts_with(parent) || !(key.only_with.empty() || key.only_with == material)) continue;
+    std::string candidate = key.path.substr(parent.size());
+    candidate = candidate.substr(0, candidate.find_first_of(".["));
+    const bool abbreviated = last.size() > 2 && (candidate.starts_with(last) || last.starts_with(candidate));
+    const std::size_t distance = abbreviated ? 1 : edit_distance(last, candidate);
+    if (distance < best_distance) {
+      best_distance = distance;
+      best = parent + candidate;
+    }
+  }
+  return best;
+}
+
+}  // namespace turgor

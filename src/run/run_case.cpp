@@ -1,0 +1,119 @@
+#include "turgor/run/run_case.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "parts.hpp"
+
+namespace turgor {
+
+Oscillator<double> make_oscillator(const Case& c, Model model) {
+  return Oscillator<double>(model, c.parameters, c.pressure, c.scales);
+}
+
+PhysicalState physical_state(const Oscillator<double>& oscillator, const Trajectory<double>& trajectory, double time) {
+  const Point<double> point = trajectory.at(time);
+  const Parameters<double>& p = oscillator.parameters();
+  const Scales<double>& scales = oscillator.scales();
+  const double r = scales.length * point.stretch;
+  const double rate = point.rate / scales.time;
+  const double kappa = p.orifice_radius / r;
+  const double eps = kappa * kappa / (1 + std::sqrt(1 - kappa * kappa));  // depth of the cap in the channel over r, (2.1)
+  const double cap = std::numbers::pi * power<3>(r) * eps * eps * (3 - eps) / 3;
+  const double speed = (2 - eps) / (eps * (1 - eps)) * scales.length * rate;  // v_z of (2.1)
+  return {time * scales.time,
+          point.stretch,
+          rate,
+          r,
+          oscillator.pressure()(time) * scales.pressure,
+          point.regime,
+          4 * std::numbers::pi / 3 * power<3>(r) - cap,
+          std::numbers::pi * p.orifice_radius * p.orifice_radius * speed};
+}
+
+StretchRange stretch_range(const Trajectory<double>& trajectory) {
+  StretchRange range{trajectory.last.stretch, trajectory.last.stretch};
+  for (const auto& step : trajectory.steps) {  // extrema lie at ends of steps, where the rate vanishes
+    range.least = std::min(range.least, step.stretch_at(0));
+    range.greatest = std::max(range.greatest, step.stretch_at(0));
+  }
+  return range;
+}
+
+namespace {
+
+Trajectory<double> integrate(const Case& c, const Oscillator<double>& oscillator, const Progress& progress) {
+  const double clock = c.scales.time;
+  SimulationOptions<double> options;
+  options.rtol = c.solve.rtol;
+  options.atol = c.solve.atol;
+  options.max_events = c.solve.max_events;
+  options.rest_tol = c.solve.rest_tol;
+  options.max_stretch = c.max_stretch;
+  options.max_steps = c.solve.max_steps;
+  if (progress) options.keep_going = [&](const double& time) { return progress(time * clock); };
+  return simulate(oscillator, 0.0, c.stretch, c.stretch_rate * clock, c.solve.t_end / clock, options);
+}
+
+/// Every simpler model's dropped terms over the range; for an explicitly chosen model only its own.
+ModelChoice compare_models(const Case& c, const Groups<double>& g, const StretchRange& range) {
+  ModelChoice choice{c.model.value_or(simplest_model(g, range.least, range.greatest, c.auto_tolerance)), !c.model, range.least,
+                     range.greatest, {}};
+  for (const Model model : {Model::orifice, Model::long_channel}) {
+    if (c.model ? *c.model == model : (model == Model::orifice) == (g.b == 0)) {
+      choice.dropped.emplace_back(model, dropped_terms(model, g, range.least, range.greatest));
+    }
+  }
+  return choice;
+}
+
+std::vector<ExpectationResult> check(const Case& c, const RunResult& result) {
+  std::vector<ExpectationResult> checked;
+  for (const Expectation& expected : c.expectations) {
+    const auto found = result.quantity(expected.quantity);
+    checked.push_back({expected, found, found && std::abs(*found - expected.value) <= expected.tolerance});
+  }
+  return checked;
+}
+
+}  // namespace
+
+RunResult run_case(const Case& c, const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  RunResult result;
+  result.oscillator = std::make_unique<Oscillator<double>>(make_oscillator(c, c.model.value_or(Model::full)));
+  result.trajectory = std::make_unique<Trajectory<double>>(integrate(c, *result.oscillator, progress));
+  result.choice = compare_models(c, result.oscillator->dimensionless_groups(), stretch_range(*result.trajectory));
+  if (result.choice.model != result.oscillator->model() && result.trajectory->outcome != Outcome::interrupted) {
+    // The full model has shown which stretches the run visits; the simpler one is good enough there.
+    *result.oscillator = make_oscillator(c, result.choice.model);
+    *result.trajectory = integrate(c, *result.oscillator, progress);
+  }
+  result.choice.model = result.oscillator->model();
+  result.integration_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.energies = std::make_unique<EnergyLedger>(*result.oscillator, *result.trajectory);
+  result.quantities = quantities_of_interest(result);
+  result.warnings = strained_assumptions(c, result);
+  result.expectations = check(c, result);
+  return result;
+}
+
+std::string RunResult::status() const {
+  if (trajectory->outcome == Outcome::interrupted) return "interrupted";
+  return is_complete(trajectory->outcome) ? "complete" : "failed";
+}
+
+bool RunResult::expectations_met() const {
+  return std::all_of(expectations.begin(), expectations.end(), [](const ExpectationResult& e) { return e.met; });
+}
+
+std::optional<double> RunResult::quantity(std::string_view name) const {
+  for (const Quantity& quantity : quantities) {
+    if (quantity.name == name) return quantity.value;
+  }
+  return std::nullopt;
+}
+
+}  // namespace turgor

@@ -1,0 +1,76 @@
+#include "gnuplot.hpp"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+namespace turgor {
+
+namespace fs = std::filesystem;
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '\n' || c == '\r') {
+      out += ' ';
+      continue;
+    }
+    if (std::strchr("\"\\", c) != nullptr) out += '\\';
+    if (std::strchr("_^@&~{}", c) != nullptr) out += "\\\\";  // enhanced text would read them as markup
+    out += c;
+  }
+  return out + "\"";
+}
+
+namespace {
+
+/// Runs gnuplot on a script in a folder, its messages into a file there; -1 when it cannot be started, else its exit code.
+int run_gnuplot(const fs::path& folder, std::string script, const std::string& messages) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, messages.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+  std::string name = "gnuplot";
+  std::array<char*, 3> arguments{name.data(), script.data(), nullptr};
+  pid_t child = 0;
+  const int error = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (error != 0) return -1;
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+}
+
+}  // namespace
+
+std::string gnuplot(const fs::path& folder, const std::string& name, const std::string& data, const std::string& plot) {
+  const std::string frame = "set border 31 lw 0.8\nset tics nomirror\nset grid lw 0.5 lc rgb 'grey85'\n";
+  const std::string script = name + ".gp";
+  {
+    std::ofstream stream(folder / script);
+    stream << "# Made by turgor; draw again with: gnuplot " << script << "\n" << data;
+    stream << "set terminal svg size 800,560 font 'Helvetica,15' background rgb 'white' enhanced\n"
+           << "set output '" << name << ".svg'\n" << frame << plot << "unset output\nreset\n"
+           << "set terminal pngcairo size 1600,1120 font 'Helvetica,15' fontscale 1.9 linewidth 2 pointscale 2 enhanced\n"
+           << "set output '" << name << ".png'\n" << frame << plot << "unset output\n";
+    if (!stream.flush()) return "no pictures: cannot write " + (folder / script).string();
+  }
+  const std::string messages = name + ".log";
+  const int code = run_gnuplot(folder, script, messages);
+  if (code != 0 && code != -1 && code != 127) return "no pictures: gnuplot failed, see " + (folder / messages).string();
+  std::error_code ignored;
+  fs::remove(folder / messages, ignored);
+  if (code == 0) return {};
+  return "no pictures: gnuplot was not found; install it (package gnuplot-nox) and run `gnuplot " + script + "` in " + folder.string();
+}
+
+}  // namespace turgor

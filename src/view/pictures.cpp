@@ -1,0 +1,100 @@
+#include "turgor/view/pictures.hpp"
+
+#include "curves.hpp"
+#include "gnuplot.hpp"
+#include "turgor/base/text.hpp"
+#include "turgor/case/units.hpp"
+
+namespace turgor {
+
+namespace {
+
+// Blue and vermilion of M. Okabe & K. Ito's palette, told apart by every kind of colour vision and in grey.
+constexpr const char* inflating_colour = "#0072B2";
+constexpr const char* deflating_colour = "#D55E00";
+
+/// Data blocks and the plot command that shows them; empty curves are left out.
+class Plot {
+ public:
+  void add(const std::string& name, const Curve& curve, const std::string& style) {
+    if (curve.empty()) return;
+    data_ += "$" + name + " << EOD\n";
+    for (const CurvePoint& point : curve) {
+      if (point.gap) data_ += "\n";
+      data_ += rounded(point.x, 10) + " " + rounded(point.y, 10) + "\n";
+    }
+    data_ += "EOD\n";
+    command_ += (command_.empty() ? "plot $" : ", \\\n     $") + name + " with " + style;
+  }
+  [[nodiscard]] const std::string& data() const { return data_; }
+  [[nodiscard]] std::string command() const { return command_ + "\n"; }
+
+ private:
+  std::string data_;
+  std::string command_;
+};
+
+std::string line_style(const char* colour, const std::string& title) {
+  return "lines lw 2 lc rgb '" + std::string(colour) + "' " + (title.empty() ? "notitle" : "title '" + title + "'");
+}
+
+/// Pascals make unreadable axes, so pictures use kPa unless the case chose a unit.
+std::string picture_pressure_unit(const Case& c) { return c.output.pressure_unit == "Pa" ? "kPa" : c.output.pressure_unit; }
+
+std::string draw_history(const Case& c, const RunResult& result, const std::filesystem::path& folder) {
+  const Trajectory<double>& trajectory = *result.trajectory;
+  const double s = unit_factor(c.output.time_unit, "s");
+  const std::string pressure_unit = picture_pressure_unit(c);
+  const double clock = c.scales.time / s;
+
+  Plot stretch;
+  stretch.add("inflating", stretch_curve(trajectory, Regime::inflating, clock), line_style(inflating_colour, "inflating"));
+  stretch.add("deflating", stretch_curve(trajectory, Regime::deflating, clock), line_style(deflating_colour, "deflating"));
+  stretch.add("rest", stretch_curve(trajectory, Regime::rest, clock), line_style("black", "at rest"));
+  constexpr std::size_t too_many_to_tell_apart = 400;
+  if (trajectory.events.size() <= too_many_to_tell_apart) {
+    Curve events;
+    for (const auto& event : trajectory.events) events.push_back({event.time * clock, event.stretch, false});
+    stretch.add("events", events, "points pt 7 ps 0.35 lc rgb 'black' title 'change of regime'");
+  }
+  Plot pressure;
+  pressure.add("pressure", pressure_curve(c, s, unit_factor(pressure_unit, "Pa")), line_style("black", ""));
+
+  std::string commands = "set multiplot\nset lmargin at screen 0.115; set rmargin at screen 0.97\n";
+  commands += "set xrange [0:" + rounded(c.solve.t_end / s, 10) + "]\n";
+  commands += "set tmargin at screen 0.90; set bmargin at screen 0.40\n";
+  commands += "set title " + quoted(c.title) + " offset 0,-0.5\n";
+  commands += "set ylabel 'stretch R = r/r_0 [1]' offset 1\nset format x ''\nset key top right\nset offsets 0,0,graph 0.06,graph 0.06\n";
+  commands += stretch.command();
+  commands += "set tmargin at screen 0.37; set bmargin at screen 0.13\nunset title\nset format x '%g'\nunset key\n";
+  commands += "set xlabel 't [" + c.output.time_unit + "]'\nset ylabel 'p_{ext} - p_a [" + pressure_unit + "]' offset 1\n";
+  commands += pressure.command() + "unset multiplot\n";
+  return gnuplot(folder, "history", stretch.data() + pressure.data(), commands);
+}
+
+std::string draw_portrait(const Case& c, const RunResult& result, const std::filesystem::path& folder) {
+  const Trajectory<double>& trajectory = *result.trajectory;
+  const double per_time = unit_factor(c.output.time_unit, "s") / c.scales.time;
+  const Point<double> first = trajectory.at(0);
+  Plot plot;
+  plot.add("inflating", portrait_curve(trajectory, Regime::inflating, per_time), line_style(inflating_colour, "inflating"));
+  plot.add("deflating", portrait_curve(trajectory, Regime::deflating, per_time), line_style(deflating_colour, "deflating"));
+  plot.add("start", {{first.stretch, first.rate * per_time, false}}, "points pt 6 ps 1 lw 1.5 lc rgb 'black' title 'start'");
+  plot.add("end", {{trajectory.last.stretch, trajectory.last.rate * per_time, false}}, "points pt 7 ps 0.8 lc rgb 'black' title 'end'");
+
+  std::string commands = "set title " + quoted(c.title) + "\n";
+  commands += "set xlabel 'stretch R = r/r_0 [1]'\nset ylabel 'dR/dt [1/" + c.output.time_unit + "]'\n";
+  commands += "set key outside bottom center horizontal\nset xzeroaxis lt 1 lc rgb 'grey60'\n";
+  commands += "set offsets graph 0.03,graph 0.03,graph 0.05,graph 0.05\n" + plot.command();
+  return gnuplot(folder, "portrait", plot.data(), commands);
+}
+
+}  // namespace
+
+std::string draw_pictures(const Case& c, const RunResult& result, const std::filesystem::path& folder) {
+  if (result.trajectory->steps.empty()) return "no pictures: the run has no steps";
+  const std::string problem = draw_history(c, result, folder);
+  return problem.empty() ? draw_portrait(c, result, folder) : problem;
+}
+
+}  // namespace turgor
