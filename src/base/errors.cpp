@@ -30,6 +30,7 @@ std::string joined(const std::vector<Issue>& issues) {
 }
 }  // namespace
 
-InvalidInput::InvalidInput(std::vector<Issue> issues) : std::runtime_error(joined(issues)), issues_(std::move(issues)) {}
+InvalidInput::InvalidInput(std::vector<Issue> issues)
+    : std::runtime_error(joined(issues)), issues_(std::move(issues)) {}
 
 }  // namespace turgor

@@ -24,11 +24,20 @@ void declare_balloon(Schema& schema) {
 
   schema.describe("balloon", "the unstretched balloon");
   schema.add({.path = "balloon.radius", .unit = "m", .range = positive, .required = true, .meaning = "radius r0"});
-  schema.add({.path = "balloon.thickness", .unit = "m", .range = positive, .required = true, .meaning = "wall thickness d0"});
-  schema.add({.path = "balloon.density", .unit = "kg/m^3", .range = positive, .required = true, .meaning = "density of the wall"});
+  schema.add(
+      {.path = "balloon.thickness", .unit = "m", .range = positive, .required = true, .meaning = "wall thickness d0"});
+  schema.add({.path = "balloon.density",
+              .unit = "kg/m^3",
+              .range = positive,
+              .required = true,
+              .meaning = "density of the wall"});
 
   schema.describe("material", "hyperelastic wall; `turgor materials` lists energies and references");
-  schema.add({.path = "material.model", .kind = text, .choices = material_names(), .required = true, .meaning = "material model"});
+  schema.add({.path = "material.model",
+              .kind = text,
+              .choices = material_names(),
+              .required = true,
+              .meaning = "material model"});
   for (const auto& entry : catalogue()) {
     for (const auto& constant : entry.constants) {
       schema.add({.path = "material." + std::string(constant.key),
@@ -40,18 +49,29 @@ void declare_balloon(Schema& schema) {
                   .meaning = std::string(constant.meaning)});
     }
   }
-  schema.add({.path = "material.max_stretch", .kind = number, .range = {1, 1000, true},
+  schema.add({.path = "material.max_stretch",
+              .kind = number,
+              .range = {1, 1000, true},
               .meaning = "stretch at which the wall bursts, which ends the run"});
 
   schema.describe("fluid", "the liquid");
   schema.add({.path = "fluid.density", .unit = "kg/m^3", .range = positive, .required = true, .meaning = "density"});
-  schema.add({.path = "fluid.viscosity", .unit = "Pa s", .range = positive, .required = true,
+  schema.add({.path = "fluid.viscosity",
+              .unit = "Pa s",
+              .range = positive,
+              .required = true,
               .meaning = "dynamic viscosity; the model is inviscid, this judges whether that holds"});
 
   schema.describe("inlet", "orifice and channel");
-  schema.add({.path = "inlet.orifice_radius", .unit = "m", .range = positive, .required = true,
+  schema.add({.path = "inlet.orifice_radius",
+              .unit = "m",
+              .range = positive,
+              .required = true,
               .meaning = "radius r_ch of orifice and channel; less than the balloon's"});
-  schema.add({.path = "inlet.channel_length", .unit = "m", .range = not_negative, .fallback = "0 m",
+  schema.add({.path = "inlet.channel_length",
+              .unit = "m",
+              .range = not_negative,
+              .fallback = "0 m",
               .meaning = "length L_ch of the channel; 0 for a bare orifice"});
 }
 
@@ -105,11 +125,13 @@ void read_balloon(Reader& reader, Case& c) {
   p.orifice_radius = orifice.value_or(1);
   p.channel_length = reader.number("inlet.channel_length").value_or(0);
   if (radius && thickness && *thickness >= *radius) {
-    reader.complain("balloon.thickness", "the wall is as thick as the balloon", "must be less than balloon.radius, and much less for a membrane");
+    reader.complain("balloon.thickness", "the wall is as thick as the balloon",
+                    "must be less than balloon.radius, and much less for a membrane");
   }
   if (radius && orifice && *orifice >= *radius) {
-    reader.complain("inlet.orifice_radius", "the orifice is larger than the balloon",
-                    "must be less than balloon.radius = " + shortest(*radius) + " m; the model wants a tenth of it or less");
+    reader.complain(
+        "inlet.orifice_radius", "the orifice is larger than the balloon",
+        "must be less than balloon.radius = " + shortest(*radius) + " m; the model wants a tenth of it or less");
   }
 }
 

@@ -60,7 +60,8 @@ double header_factor(const std::filesystem::path& file, const std::string& heade
   try {
     return unit_factor(header.substr(open + 1, close - open - 1), unit);
   } catch (const InvalidInput& error) {
-    throw wrong(file, 1, "in the header \"" + header + "\" " + error.issues().front().problem, error.issues().front().advice);
+    throw wrong(file, 1, "in the header \"" + header + "\" " + error.issues().front().problem,
+                error.issues().front().advice);
   }
 }
 
@@ -73,7 +74,8 @@ CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::stri
   std::vector<double> factors;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     if (rows[r].size() != units.size()) {
-      throw wrong(file, r + 1, "has " + std::to_string(rows[r].size()) + " columns", std::to_string(units.size()) + " are needed");
+      throw wrong(file, r + 1, "has " + std::to_string(rows[r].size()) + " columns",
+                  std::to_string(units.size()) + " are needed");
     }
     for (std::size_t i = 0; i < units.size(); ++i) {
       const std::string& field = rows[r][i];

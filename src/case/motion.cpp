@@ -9,21 +9,40 @@ namespace turgor {
 void declare_motion(Schema& schema) {
   using enum ValueKind;
   schema.describe("initial", "state at t = 0");
-  schema.add({.path = "initial.stretch", .kind = number, .range = {0, 1000, true}, .choices = {"equilibrium"}, .fallback = "1.0",
+  schema.add({.path = "initial.stretch",
+              .kind = number,
+              .range = {0, 1000, true},
+              .choices = {"equilibrium"},
+              .fallback = "1.0",
               .meaning = "R = r/r0, or \"equilibrium\": the lowest stable one at the pressure at t = 0"});
   schema.add({.path = "initial.stretch_rate", .unit = "1/s", .fallback = "0 1/s", .meaning = "dR/dt"});
 
   schema.describe("model", "which equation of motion");
-  schema.add({.path = "model.name", .kind = text, .choices = {"full", "orifice", "long-channel", "auto"}, .fallback = "auto",
+  schema.add({.path = "model.name",
+              .kind = text,
+              .choices = {"full", "orifice", "long-channel", "auto"},
+              .fallback = "auto",
               .meaning = "(2.22), (2.23), (2.25), or the simplest whose dropped terms are all below auto_tolerance"});
-  schema.add({.path = "model.closure", .kind = text, .choices = {"theoretical", "corrected"}, .fallback = "corrected",
+  schema.add({.path = "model.closure",
+              .kind = text,
+              .choices = {"theoretical", "corrected"},
+              .fallback = "corrected",
               .meaning = "liquid in the balloon during deflation: (2.12) or (2.15)"});
-  schema.add({.path = "model.auto_tolerance", .kind = number, .range = {0, 1, true}, .fallback = "0.05",
+  schema.add({.path = "model.auto_tolerance",
+              .kind = number,
+              .range = {0, 1, true},
+              .fallback = "0.05",
               .meaning = "for name = \"auto\": largest relative size of a dropped term"});
 
   schema.describe("scales", "for the dimensionless form of results (2.21); they change no result");
-  schema.add({.path = "scales.pressure", .unit = "Pa", .range = positive, .meaning = "p_typ; the greatest gauge pressure of the run when not given"});
-  schema.add({.path = "scales.time", .unit = "s", .range = positive, .meaning = "t_typ; the inverse natural frequency of deflation about R = 1 when not given"});
+  schema.add({.path = "scales.pressure",
+              .unit = "Pa",
+              .range = positive,
+              .meaning = "p_typ; the greatest gauge pressure of the run when not given"});
+  schema.add({.path = "scales.time",
+              .unit = "s",
+              .range = positive,
+              .meaning = "t_typ; the inverse natural frequency of deflation about R = 1 when not given"});
 }
 
 namespace {
@@ -35,7 +54,8 @@ void read_initial(Reader& reader, Case& c) {
     const auto states = equilibria(c.parameters, pressure);
     const auto lowest = std::find_if(states.begin(), states.end(), [](const Equilibrium& e) { return e.stable; });
     if (lowest == states.end()) {
-      reader.complain("initial.stretch", "the balloon has no stable equilibrium at p(0) = " + shortest(pressure) + " Pa",
+      reader.complain("initial.stretch",
+                      "the balloon has no stable equilibrium at p(0) = " + shortest(pressure) + " Pa",
                       "`turgor info` lists limit points and equilibria");
       return;
     }
@@ -52,7 +72,8 @@ void read_initial(Reader& reader, Case& c) {
                     "must be less than " + shortest(stretch_limit(p.material)));
   }
   if (c.max_stretch > 0 && c.stretch >= c.max_stretch) {
-    reader.complain("initial.stretch", "the wall has burst already", "material.max_stretch is " + shortest(c.max_stretch));
+    reader.complain("initial.stretch", "the wall has burst already",
+                    "material.max_stretch is " + shortest(c.max_stretch));
   }
   if (p.orifice_radius >= c.stretch * p.radius) {
     reader.complain("initial.stretch", "compresses the balloon to less than its orifice",
@@ -70,8 +91,9 @@ void read_model(Reader& reader, Case& c) {
   }
   const bool channel = c.parameters.channel_length > 0;
   if (c.model == Model::orifice && channel) {
-    reader.complain("model.name", "there is a channel (inlet.channel_length = " + shortest(c.parameters.channel_length) + " m)",
-                    "the orifice model has none: use \"full\", \"long-channel\" or \"auto\", or set channel_length to \"0 m\"");
+    reader.complain(
+        "model.name", "there is a channel (inlet.channel_length = " + shortest(c.parameters.channel_length) + " m)",
+        "the orifice model has none: use \"full\", \"long-channel\" or \"auto\", or set channel_length to \"0 m\"");
   }
   if (c.model == Model::long_channel && !channel) {
     reader.complain("model.name", "there is no channel (inlet.channel_length is 0)",

@@ -43,7 +43,8 @@ Node convert(const toml::node& node, const std::string& file) {
 /// Tables of a file come sorted by key from the parser; messages are read from top to bottom.
 void sort_by_line(Node& node) {
   if (auto* table = std::get_if<Node::Table>(&node.value)) {
-    std::stable_sort(table->begin(), table->end(), [](const auto& a, const auto& b) { return a.second.line < b.second.line; });
+    std::stable_sort(table->begin(), table->end(),
+                     [](const auto& a, const auto& b) { return a.second.line < b.second.line; });
     for (auto& [key, value] : *table) sort_by_line(value);
   } else if (auto* array = std::get_if<Node::Array>(&node.value)) {
     for (auto& item : *array) sort_by_line(item);
@@ -134,8 +135,8 @@ std::string Node::text() const {
 }
 
 std::string_view Node::type_name() const {
-  static constexpr std::string_view names[] = {"a table", "a list", "a string", "an integer", "a number", "a boolean",
-                                               "a date or time"};
+  static constexpr std::string_view names[] = {"a table",  "a list",    "a string",      "an integer",
+                                               "a number", "a boolean", "a date or time"};
   return names[value.index()];
 }
 

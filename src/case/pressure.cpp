@@ -10,26 +10,42 @@ void declare_pressure(Schema& schema) {
   using enum ValueKind;
   schema.describe("pressure", "gauge pressure at the inlet: one of constant, segments, harmonic, table");
   schema.add({.path = "pressure.constant", .unit = "Pa", .meaning = "the same pressure throughout"});
-  schema.add({.path = "pressure.start", .unit = "Pa", .meaning = "pressure at t = 0 of a list of segments; 0 Pa when not given"});
-  schema.add({.path = "pressure.segments", .kind = table_list,
+  schema.add({.path = "pressure.start",
+              .unit = "Pa",
+              .meaning = "pressure at t = 0 of a list of segments; 0 Pa when not given"});
+  schema.add({.path = "pressure.segments",
+              .kind = table_list,
               .meaning = "one after the other from t = 0; the last value holds to t_end"});
-  schema.add({.path = "pressure.segments[].hold", .unit = "s", .range = positive, .meaning = "keep the pressure this long"});
+  schema.add(
+      {.path = "pressure.segments[].hold", .unit = "s", .range = positive, .meaning = "keep the pressure this long"});
   schema.add({.path = "pressure.segments[].step", .unit = "Pa", .meaning = "jump to this pressure"});
   schema.add({.path = "pressure.segments[].to", .unit = "Pa", .meaning = "go to this pressure, over `over`"});
   schema.add({.path = "pressure.segments[].over", .unit = "s", .range = positive, .meaning = "duration of `to`"});
-  schema.add({.path = "pressure.segments[].shape", .kind = text, .choices = {"linear", "smooth"}, .fallback = "linear",
+  schema.add({.path = "pressure.segments[].shape",
+              .kind = text,
+              .choices = {"linear", "smooth"},
+              .fallback = "linear",
               .meaning = "of `to`: a straight line, or x^3 (10 - 15 x + 6 x^2)"});
   schema.add({.path = "pressure.harmonic", .kind = table, .meaning = "mean + amplitude sin(2 pi frequency t + phase)"});
   schema.add({.path = "pressure.harmonic.mean", .unit = "Pa", .fallback = "0 Pa", .meaning = "mean"});
   schema.add({.path = "pressure.harmonic.amplitude", .unit = "Pa", .required = true, .meaning = "amplitude"});
-  schema.add({.path = "pressure.harmonic.frequency", .unit = "Hz", .range = positive, .required = true, .meaning = "frequency"});
+  schema.add({.path = "pressure.harmonic.frequency",
+              .unit = "Hz",
+              .range = positive,
+              .required = true,
+              .meaning = "frequency"});
   schema.add({.path = "pressure.harmonic.phase", .unit = "rad", .fallback = "0 rad", .meaning = "phase at t = 0"});
-  schema.add({.path = "pressure.table", .kind = table, .meaning = "points, inline or from a CSV file; constant beyond them"});
-  schema.add({.path = "pressure.table.file", .kind = text,
+  schema.add(
+      {.path = "pressure.table", .kind = table, .meaning = "points, inline or from a CSV file; constant beyond them"});
+  schema.add({.path = "pressure.table.file",
+              .kind = text,
               .meaning = "CSV file, beside the case; two columns headed \"t [s]\" and \"p [kPa]\", any units"});
   schema.add({.path = "pressure.table.t", .kind = quantity_list, .unit = "s", .meaning = "times, increasing"});
   schema.add({.path = "pressure.table.p", .kind = quantity_list, .unit = "Pa", .meaning = "pressures"});
-  schema.add({.path = "pressure.table.interpolation", .kind = text, .choices = {"linear", "cubic"}, .fallback = "cubic",
+  schema.add({.path = "pressure.table.interpolation",
+              .kind = text,
+              .choices = {"linear", "cubic"},
+              .fallback = "cubic",
               .meaning = "between points: straight lines, or a monotone cubic"});
 }
 
@@ -41,7 +57,8 @@ void read_segment(Reader& reader, const std::string& path, SegmentList<double>& 
   const int kinds = (given("hold") ? 1 : 0) + (given("step") ? 1 : 0) + (given("to") ? 1 : 0);
   const std::string forms = "write { hold = \"2 s\" }, { step = \"36 kPa\" } or { to = \"36 kPa\", over = \"2 s\" }";
   if (kinds != 1) {
-    reader.complain(path, kinds == 0 ? "says neither hold, step nor to" : "says more than one of hold, step and to", forms);
+    reader.complain(path, kinds == 0 ? "says neither hold, step nor to" : "says more than one of hold, step and to",
+                    forms);
     return;
   }
   toml += toml.empty() ? "[{ " : ", { ";
@@ -62,7 +79,8 @@ void read_segment(Reader& reader, const std::string& path, SegmentList<double>& 
     const auto shape = reader.text(path + ".shape");
     if (value && duration && shape) {
       list.ramp(*value, *duration, *shape == "smooth" ? RampShape::smooth : RampShape::linear);
-      toml += "to = " + toml_quantity(*value, "Pa") + ", over = " + toml_quantity(*duration, "s") + ", shape = " + toml_string(*shape);
+      toml += "to = " + toml_quantity(*value, "Pa") + ", over = " + toml_quantity(*duration, "s") +
+              ", shape = " + toml_string(*shape);
     }
   }
   if (!given("to")) {
@@ -99,9 +117,10 @@ void read_harmonic(Reader& reader, Case& c) {
   const auto phase = reader.number("pressure.harmonic.phase");
   if (!(mean && amplitude && frequency && phase)) return;
   c.pressure = harmonic_pressure(HarmonicPressure<double>{*mean, *amplitude, *frequency, *phase});
-  reader.resolve("pressure.harmonic", "{ mean = " + toml_quantity(*mean, "Pa") + ", amplitude = " + toml_quantity(*amplitude, "Pa") +
-                                          ", frequency = " + toml_quantity(*frequency, "Hz") + ", phase = " +
-                                          toml_quantity(*phase, "rad") + " }");
+  reader.resolve("pressure.harmonic", "{ mean = " + toml_quantity(*mean, "Pa") +
+                                          ", amplitude = " + toml_quantity(*amplitude, "Pa") +
+                                          ", frequency = " + toml_quantity(*frequency, "Hz") +
+                                          ", phase = " + toml_quantity(*phase, "rad") + " }");
 }
 
 std::string toml_list(const std::vector<double>& values, const std::string& unit) {
@@ -138,7 +157,8 @@ void read_table(Reader& reader, Case& c) {
                                 *interpolation == "linear" ? TableInterpolation::linear : TableInterpolation::cubic);
   } catch (const InvalidInput& error) {
     for (const Issue& issue : error.issues()) {
-      reader.complain(file ? "pressure.table.file" : "pressure.table", issue.value.empty() ? issue.problem : issue.value + ": " + issue.problem, issue.advice);
+      reader.complain(file ? "pressure.table.file" : "pressure.table",
+                      issue.value.empty() ? issue.problem : issue.value + ": " + issue.problem, issue.advice);
     }
     return;
   }

@@ -76,7 +76,8 @@ bool Reader::is_word(const std::string& path, std::string_view word) const {
 
 void Reader::complain(const std::string& path, std::string problem, std::string advice) {
   Issue issue{path, "", std::move(problem), std::move(advice), root_.file, 0};
-  for (std::string at = path; !at.empty(); at.resize(at.find_last_of(".[") == std::string::npos ? 0 : at.find_last_of(".["))) {
+  for (std::string at = path; !at.empty();
+       at.resize(at.find_last_of(".[") == std::string::npos ? 0 : at.find_last_of(".["))) {
     if (const Node* found = node(at)) {
       if (at == path) issue.value = found->text();
       issue.file = found->file;
@@ -118,7 +119,8 @@ std::optional<double> Reader::scalar(const std::string& path, const Key& key, co
     value = static_cast<double>(*integer);
   } else {
     const std::string words = key.choices.empty() ? "" : ", or " + choices_text(key.choices);
-    complain(path, "is " + std::string(given.type_name()) + ", not a plain number", "write a number without quotes" + words);
+    complain(path, "is " + std::string(given.type_name()) + ", not a plain number",
+             "write a number without quotes" + words);
     return std::nullopt;
   }
   if (!std::isfinite(value)) {
@@ -190,7 +192,8 @@ std::optional<std::string> Reader::text(const std::string& path) {
   const Node* given = node(path);
   if (given == nullptr && declared.fallback.empty()) {
     if (declared.required) {
-      complain(path, "missing", declared.choices.empty() ? declared.meaning : "one of " + choices_text(declared.choices));
+      complain(path, "missing",
+               declared.choices.empty() ? declared.meaning : "one of " + choices_text(declared.choices));
     }
     return std::nullopt;
   }
@@ -255,9 +258,11 @@ void Reader::check_unknown(const Node& node, const std::string& path) {
                  near.empty() ? elsewhere : (elsewhere.empty() ? "" : elsewhere + "; ") + "did you mean " + near + "?");
         continue;
       }
-      const bool wants_list = schema_.has_below(below + "[]") && known != nullptr && known->kind == ValueKind::table_list;
+      const bool wants_list =
+          schema_.has_below(below + "[]") && known != nullptr && known->kind == ValueKind::table_list;
       if (wants_list ? child.as<Node::Array>() == nullptr : child.as<Node::Table>() == nullptr) {
-        complain(below, "is " + std::string(child.type_name()) + ", not " + (wants_list ? "a list of tables" : "a table"));
+        complain(below,
+                 "is " + std::string(child.type_name()) + ", not " + (wants_list ? "a list of tables" : "a table"));
         continue;
       }
       check_unknown(child, below);
@@ -275,7 +280,8 @@ void Reader::check_unknown(const Node& node, const std::string& path) {
 }
 
 void Reader::resolve(const std::string& path, const std::string& toml) {
-  const auto found = std::find_if(resolved_.begin(), resolved_.end(), [&](const auto& entry) { return entry.first == path; });
+  const auto found =
+      std::find_if(resolved_.begin(), resolved_.end(), [&](const auto& entry) { return entry.first == path; });
   if (found != resolved_.end()) {
     found->second = toml;
   } else {

@@ -25,7 +25,11 @@ void declare_report(Schema& schema) {
     const ValueKind kind = si == "1" ? number : ValueKind::quantity;
     schema.add({.path = path, .kind = table, .meaning = std::string(quantity.meaning)});
     schema.add({.path = path + ".value", .kind = kind, .unit = si, .required = true, .meaning = "expected value"});
-    schema.add({.path = path + ".tolerance", .kind = kind, .unit = si, .range = not_negative, .required = true,
+    schema.add({.path = path + ".tolerance",
+                .kind = kind,
+                .unit = si,
+                .range = not_negative,
+                .required = true,
                 .meaning = "largest allowed difference"});
   }
 }
@@ -47,19 +51,24 @@ std::string read_unit(Reader& reader, const std::string& key, const std::string&
 }  // namespace
 
 void read_report(Reader& reader, Case& c) {
-  c.output = {read_unit(reader, "time_unit", "s"),       read_unit(reader, "length_unit", "m"),
-              read_unit(reader, "pressure_unit", "Pa"),  read_unit(reader, "volume_unit", "m^3"),
-              read_unit(reader, "flow_unit", "m^3/s"),   read_unit(reader, "energy_unit", "J"),
+  c.output = {read_unit(reader, "time_unit", "s"),
+              read_unit(reader, "length_unit", "m"),
+              read_unit(reader, "pressure_unit", "Pa"),
+              read_unit(reader, "volume_unit", "m^3"),
+              read_unit(reader, "flow_unit", "m^3/s"),
+              read_unit(reader, "energy_unit", "J"),
               reader.boolean("output.pictures").value_or(true)};
   for (const auto& quantity : quantity_names()) {
     const std::string path = "expect." + std::string(quantity.name);
-    if (reader.node(path) == nullptr || reader.node(path)->as<Node::Table>() == nullptr) continue;  // check_unknown tells
+    if (reader.node(path) == nullptr || reader.node(path)->as<Node::Table>() == nullptr)
+      continue;  // check_unknown tells
     const auto value = reader.number(path + ".value");
     const auto tolerance = reader.number(path + ".tolerance");
     if (!value || !tolerance) continue;
     const std::string unit(quantity.unit);
     c.expectations.push_back({std::string(quantity.name), *value, *tolerance});
-    reader.resolve(path, "{ value = " + toml_quantity(*value, unit) + ", tolerance = " + toml_quantity(*tolerance, unit) + " }");
+    reader.resolve(
+        path, "{ value = " + toml_quantity(*value, unit) + ", tolerance = " + toml_quantity(*tolerance, unit) + " }");
   }
 }
 

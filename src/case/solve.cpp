@@ -6,14 +6,46 @@ namespace turgor {
 void declare_solve(Schema& schema) {
   using enum ValueKind;
   schema.describe("solve", "time integration");
-  schema.add({.path = "solve.t_end", .unit = "s", .range = positive, .required = true, .meaning = "end of the run, which starts at t = 0"});
-  schema.add({.path = "solve.rtol", .kind = number, .range = {1e-13, 1e-2}, .fallback = "1e-9", .meaning = "relative tolerance per step"});
-  schema.add({.path = "solve.atol", .kind = number, .range = {1e-16, 1}, .meaning = "absolute tolerance per step, dimensionless; as rtol when not given"});
-  schema.add({.path = "solve.samples", .kind = integer, .range = {2, 1e7}, .meaning = "uniform rows of trajectory.csv, both ends included; 1000 when neither this nor times is given"});
-  schema.add({.path = "solve.times", .kind = quantity_list, .unit = "s", .range = not_negative, .meaning = "instead of samples: rows at exactly these times"});
-  schema.add({.path = "solve.max_events", .kind = integer, .range = not_negative, .fallback = "0", .meaning = "stop after this many regime changes; 0: no limit"});
-  schema.add({.path = "solve.rest_tol", .kind = number, .range = {0, 0.1}, .fallback = "0.0", .meaning = "stop at a regime change this close (in R) to a stable equilibrium, once the pressure stays constant; 0: never"});
-  schema.add({.path = "solve.max_steps", .kind = integer, .range = {1, 1e8}, .fallback = "5000000", .meaning = "give up after this many steps"});
+  schema.add({.path = "solve.t_end",
+              .unit = "s",
+              .range = positive,
+              .required = true,
+              .meaning = "end of the run, which starts at t = 0"});
+  schema.add({.path = "solve.rtol",
+              .kind = number,
+              .range = {1e-13, 1e-2},
+              .fallback = "1e-9",
+              .meaning = "relative tolerance per step"});
+  schema.add({.path = "solve.atol",
+              .kind = number,
+              .range = {1e-16, 1},
+              .meaning = "absolute tolerance per step, dimensionless; as rtol when not given"});
+  schema.add(
+      {.path = "solve.samples",
+       .kind = integer,
+       .range = {2, 1e7},
+       .meaning = "uniform rows of trajectory.csv, both ends included; 1000 when neither this nor times is given"});
+  schema.add({.path = "solve.times",
+              .kind = quantity_list,
+              .unit = "s",
+              .range = not_negative,
+              .meaning = "instead of samples: rows at exactly these times"});
+  schema.add({.path = "solve.max_events",
+              .kind = integer,
+              .range = not_negative,
+              .fallback = "0",
+              .meaning = "stop after this many regime changes; 0: no limit"});
+  schema.add({.path = "solve.rest_tol",
+              .kind = number,
+              .range = {0, 0.1},
+              .fallback = "0.0",
+              .meaning = "stop at a regime change this close (in R) to a stable equilibrium, once the pressure stays "
+                         "constant; 0: never"});
+  schema.add({.path = "solve.max_steps",
+              .kind = integer,
+              .range = {1, 1e8},
+              .fallback = "5000000",
+              .meaning = "give up after this many steps"});
 }
 
 namespace {
@@ -28,7 +60,8 @@ void read_rows(Reader& reader, SolveSettings& s) {
     for (std::size_t i = 0; i < s.times.size(); ++i) {
       const std::string path = "solve.times[" + std::to_string(i) + "]";
       if (i > 0 && s.times[i] <= s.times[i - 1]) reader.complain(path, "times must increase");
-      if (s.t_end > 0 && s.times[i] > s.t_end) reader.complain(path, "later than solve.t_end", "the run ends at " + shortest(s.t_end) + " s");
+      if (s.t_end > 0 && s.times[i] > s.t_end)
+        reader.complain(path, "later than solve.t_end", "the run ends at " + shortest(s.t_end) + " s");
     }
   } else if (samples) {
     s.samples = reader.integer("solve.samples").value_or(2);

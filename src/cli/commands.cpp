@@ -23,13 +23,14 @@ void on_signal(int) { interrupted = 1; }
 Case read(const CaseArguments& arguments) { return read_case(arguments.file, arguments.overrides); }
 
 nlohmann::ordered_json to_json(const Issue& issue) {
-  return {{"key", issue.key}, {"value", issue.value}, {"problem", issue.problem}, {"advice", issue.advice},
-          {"file", issue.file}, {"line", issue.line}};
+  return {{"key", issue.key},       {"value", issue.value}, {"problem", issue.problem},
+          {"advice", issue.advice}, {"file", issue.file},   {"line", issue.line}};
 }
 
 void print_failure(bool json, const std::string& status, const std::string& message, const std::vector<Issue>& issues) {
   if (!json) return;
-  nlohmann::ordered_json document{{"status", status}, {"message", message}, {"issues", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json document{
+      {"status", status}, {"message", message}, {"issues", nlohmann::ordered_json::array()}};
   for (const Issue& issue : issues) document["issues"].push_back(to_json(issue));
   std::cout << document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
 }
@@ -64,7 +65,8 @@ int guarded(bool json, const std::function<int()>& command) {
 
 int run_case_file(const RunArguments& arguments) {
   const Case c = read(arguments.input);
-  const std::filesystem::path folder = arguments.directory.empty() ? c.file.stem().string() + ".run" : arguments.directory;
+  const std::filesystem::path folder =
+      arguments.directory.empty() ? c.file.stem().string() + ".run" : arguments.directory;
   RunDirectory directory(folder, c, arguments.force);
 
   std::signal(SIGINT, on_signal);

@@ -37,7 +37,8 @@ std::string rule(const Key& key) {
   const bool dimensional = key.kind == ValueKind::quantity || key.kind == ValueKind::quantity_list;
   if (dimensional) out += " [" + key.unit + "]";
   if (!key.range.is_everything()) out += ", " + key.range.text(dimensional ? key.unit : "1");
-  for (std::size_t i = 0; i < key.choices.size(); ++i) out += (i == 0 ? (key.kind == ValueKind::text ? ": " : ", or ") : " | ") + key.choices[i];
+  for (std::size_t i = 0; i < key.choices.size(); ++i)
+    out += (i == 0 ? (key.kind == ValueKind::text ? ": " : ", or ") : " | ") + key.choices[i];
   if (!key.fallback.empty()) out += ", default " + key.fallback;
   if (key.required) out += ", required";
   return out;
@@ -68,9 +69,15 @@ int print_documentation(const DocArguments& arguments) {
     }
     const std::string only = key.only_with.empty() ? "" : " (" + key.only_with + ")";
     text += "  " + key.path + only + "\n      " + rule(key) + "\n      " + key.meaning + "\n";
-    document.push_back({{"key", key.path}, {"type", kind_name(key.kind)}, {"unit", key.unit}, {"range", key.range.text(key.unit)},
-                        {"choices", key.choices}, {"default", key.fallback}, {"required", key.required},
-                        {"only_with_material", key.only_with}, {"meaning", key.meaning}});
+    document.push_back({{"key", key.path},
+                        {"type", kind_name(key.kind)},
+                        {"unit", key.unit},
+                        {"range", key.range.text(key.unit)},
+                        {"choices", key.choices},
+                        {"default", key.fallback},
+                        {"required", key.required},
+                        {"only_with_material", key.only_with},
+                        {"meaning", key.meaning}});
   }
   std::cout << (arguments.json ? document.dump(2) + "\n" : text);
   return exit_done;
@@ -80,16 +87,21 @@ int print_materials(bool json) {
   Json document = Json::array();
   std::string text = "W is the strain energy density; I1 = 2 lambda^2 + lambda^-4, I2 = lambda^4 + 2 lambda^-2.\n";
   for (const MaterialEntry& entry : catalogue()) {
-    text += "\n" + std::string(entry.name) + "\n  W = " + std::string(entry.energy) + "\n  " + std::string(entry.reference) + "\n";
+    text += "\n" + std::string(entry.name) + "\n  W = " + std::string(entry.energy) + "\n  " +
+            std::string(entry.reference) + "\n";
     Json constants = Json::array();
     for (const MaterialConstant& constant : entry.constants) {
       const std::string unit(constant.unit);
       text += "    " + std::string(constant.key) + " [" + unit + "]" + (constant.is_list ? " list" : "") +
               (constant.positive ? " > 0" : "") + "  " + std::string(constant.meaning) + "\n";
-      constants.push_back({{"key", constant.key}, {"unit", unit}, {"list", constant.is_list}, {"positive", constant.positive},
+      constants.push_back({{"key", constant.key},
+                           {"unit", unit},
+                           {"list", constant.is_list},
+                           {"positive", constant.positive},
                            {"meaning", constant.meaning}});
     }
-    document.push_back({{"name", entry.name}, {"energy", entry.energy}, {"reference", entry.reference}, {"constants", constants}});
+    document.push_back(
+        {{"name", entry.name}, {"energy", entry.energy}, {"reference", entry.reference}, {"constants", constants}});
   }
   std::cout << (json ? document.dump(2) + "\n" : text);
   return exit_done;

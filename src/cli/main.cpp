@@ -9,12 +9,14 @@
 namespace {
 
 constexpr const char* exit_codes =
-    "Exit codes: 0 done; 2 bad input; 3 a quantity in [expect] was missed; 4 the computation failed (what was computed is "
+    "Exit codes: 0 done; 2 bad input; 3 a quantity in [expect] was missed; 4 the computation failed (what was computed "
+    "is "
     "kept); 130 interrupted (what was computed is kept).";
 
 void add_case(CLI::App& command, turgor::cli::CaseArguments& arguments) {
   command.add_option("case", arguments.file, "case file (TOML)")->required();
-  command.add_option("--set", arguments.overrides, "override a key: --set 'inlet.orifice_radius=2 cm'; may be repeated")
+  command
+      .add_option("--set", arguments.overrides, "override a key: --set 'inlet.orifice_radius=2 cm'; may be repeated")
       ->allow_extra_args(false)
       ->type_name("KEY=VALUE");
   command.add_flag("--json", arguments.json, "print one JSON document and nothing else");
@@ -32,18 +34,24 @@ int main(int argc, char** argv) {
   RunArguments run;
   CLI::App* run_command = app.add_subcommand("run", "simulate a case and write a run directory");
   add_case(*run_command, run.input);
-  run_command->add_option("-o,--output", run.directory, "run directory; default: the case file's name with .run, in the current folder")->type_name("DIR");
+  run_command
+      ->add_option("-o,--output", run.directory,
+                   "run directory; default: the case file's name with .run, in the current folder")
+      ->type_name("DIR");
   run_command->add_flag("--force", run.force, "replace an earlier run in that directory");
   run_command->add_flag("--no-pictures", run.no_pictures, "draw no pictures");
   auto* quiet = run_command->add_flag("-q,--quiet", run.quiet, "print nothing but errors");
-  run_command->add_flag("-v,--verbose", run.verbose, "also print model comparison and integrator work")->excludes(quiet);
+  run_command->add_flag("-v,--verbose", run.verbose, "also print model comparison and integrator work")
+      ->excludes(quiet);
 
   CaseArguments info;
-  CLI::App* info_command = app.add_subcommand("info", "dimensionless groups, limit points, equilibria, time constants, strained assumptions");
+  CLI::App* info_command = app.add_subcommand(
+      "info", "dimensionless groups, limit points, equilibria, time constants, strained assumptions");
   add_case(*info_command, info);
 
   CaseArguments validate;
-  CLI::App* validate_command = app.add_subcommand("validate", "check a case file and say everything that is wrong with it");
+  CLI::App* validate_command =
+      app.add_subcommand("validate", "check a case file and say everything that is wrong with it");
   add_case(*validate_command, validate);
 
   DocArguments doc;
@@ -52,7 +60,8 @@ int main(int argc, char** argv) {
   doc_command->add_flag("--json", doc.json, "print one JSON document and nothing else");
 
   bool materials_json = false;
-  CLI::App* materials_command = app.add_subcommand("materials", "the material models, their energies, constants and references");
+  CLI::App* materials_command =
+      app.add_subcommand("materials", "the material models, their energies, constants and references");
   materials_command->add_flag("--json", materials_json, "print one JSON document and nothing else");
 
   try {

@@ -140,9 +140,7 @@ class Simulation {
       step.end[1] = T(0);  // nothing but rounding: still at rest
     }
     if (options_.max_stretch > T(0) && step.end[0] >= options_.max_stretch && regime_ == Regime::inflating) {
-      h = locate(flow, at, T(0), h, h, [&](const State& y) {
-        return Slope{options_.max_stretch - y[0], -y[1]};
-      });
+      h = locate(flow, at, T(0), h, h, [&](const State& y) { return Slope{options_.max_stretch - y[0], -y[1]}; });
       end_time = time_ + h;
       step = attempt(flow, at, h);
       append(step, h);
@@ -174,8 +172,8 @@ class Simulation {
   };
 
   /// Size of the shortened step that ends where dR/dT first vanishes, if it does.
-  std::optional<T> find_zero_rate(const OscillatorFlow<T>& flow, const Linearization<T, 2>& at, const T& h, const Step& step,
-                                  const T& s, const T& noise) {
+  std::optional<T> find_zero_rate(const OscillatorFlow<T>& flow, const Linearization<T, 2>& at, const T& h,
+                                  const Step& step, const T& s, const T& noise) {
     std::array<T, 5> rate;
     for (std::size_t i = 0; i < rate.size(); ++i) rate[i] = s * step.polynomial[i][1];
     constexpr int depth = 8;
@@ -189,13 +187,13 @@ class Simulation {
     if (!crossed) return std::nullopt;
     const T guess = dip ? std::min(bracket, (*dip - T(0.5) / (1 << depth)) * h) : bracket / 2;
     ++result_.statistics.event_refinements;
-    return locate(flow, at, T(0), bracket, guess, [&](const State& y) {
-      return Slope{s * y[1], s * flow.rate(time_ + bracket, y)[1]};
-    });
+    return locate(flow, at, T(0), bracket, guess,
+                  [&](const State& y) { return Slope{s * y[1], s * flow.rate(time_ + bracket, y)[1]}; });
   }
 
-  /// Root in (lo, hi] of a function of the state at the end of a step of size x: positive at lo, negative at hi. Newton's
-  /// method on the steps themselves, so that the event lies on the computed solution to rounding; bisection as its net.
+  /// Root in (lo, hi] of a function of the state at the end of a step of size x: positive at lo, negative at hi.
+  /// Newton's method on the steps themselves, so that the event lies on the computed solution to rounding; bisection as
+  /// its net.
   template <class Function>
   T locate(const OscillatorFlow<T>& flow, const Linearization<T, 2>& at, T lo, T hi, T x, const Function& function) {
     for (int i = 0; i < 200; ++i) {
@@ -269,8 +267,8 @@ class Simulation {
   void fail(Outcome outcome, const std::string& what) {
     const auto number = [](const T& x) { return rounded(static_cast<double>(x), 8); };
     const T scale = oscillator_.scales().time;
-    stop(outcome, what + " (at t = " + number(time_ * scale) + " s, R = " + number(state_[0]) + ", dR/dt = " +
-                      number(state_[1] / scale) + " 1/s)");
+    stop(outcome, what + " (at t = " + number(time_ * scale) + " s, R = " + number(state_[0]) +
+                      ", dR/dt = " + number(state_[1] / scale) + " 1/s)");
   }
 
   const Oscillator<T>& oscillator_;
@@ -287,25 +285,27 @@ class Simulation {
 }  // namespace
 
 template <class T>
-Regime regime_from_rest(const Oscillator<T>& oscillator, const SmoothPressure<T>& pressure, const T& time, const T& stretch) {
+Regime regime_from_rest(const Oscillator<T>& oscillator, const SmoothPressure<T>& pressure, const T& time,
+                        const T& stretch) {
   const T p = pressure(time);
   const Coefficients<T> c = oscillator.coefficients(Regime::inflating, stretch);
   const T force = c.area * p - c.elastic;
   // An equilibrium is known to a few units in the last place of R, and the force there to as many of its terms.
-  const T rounding = 32 * epsilon<T> * (stretch * std::abs(c.elastic_slope) + std::abs(c.area * p) + std::abs(c.elastic));
+  const T rounding =
+      32 * epsilon<T> * (stretch * std::abs(c.elastic_slope) + std::abs(c.area * p) + std::abs(c.elastic));
   const auto regime_of = [](const T& x) { return x > T(0) ? Regime::inflating : Regime::deflating; };
   if (std::abs(force) > rounding) return regime_of(force);
   if (pressure.is_constant()) return Regime::rest;
   for (int k = 1; k <= 8; ++k) {
     const T derivative = pressure.derivative(k, time);
-    if (derivative != T(0)) return regime_of(derivative);
+    if (std::abs(derivative) > 32 * epsilon<T> * pressure.derivative_size(k)) return regime_of(derivative);
   }
   return Regime::rest;
 }
 
 template <class T>
-Trajectory<T> simulate(const Oscillator<T>& oscillator, const T& start_time, const T& stretch, const T& rate, const T& end_time,
-                       const SimulationOptions<T>& options) {
+Trajectory<T> simulate(const Oscillator<T>& oscillator, const T& start_time, const T& stretch, const T& rate,
+                       const T& end_time, const SimulationOptions<T>& options) {
   const auto text = [](const T& x) { return shortest(static_cast<double>(x)); };
   const T limit = stretch_limit(oscillator.parameters().material);
   if (!(stretch > T(0) && stretch < limit) || !std::isfinite(stretch)) {
@@ -313,20 +313,24 @@ Trajectory<T> simulate(const Oscillator<T>& oscillator, const T& start_time, con
                        "allowed is 0 < stretch < " + text(limit));
   }
   if (options.max_stretch > T(0) && stretch >= options.max_stretch) {
-    throw InvalidInput("initial.stretch", text(stretch), "the wall has burst already", "material.max_stretch is " + text(options.max_stretch));
+    throw InvalidInput("initial.stretch", text(stretch), "the wall has burst already",
+                       "material.max_stretch is " + text(options.max_stretch));
   }
   if (!std::isfinite(rate)) throw InvalidInput("initial.stretch_rate", text(rate), "not a finite number");
   if (!(end_time > start_time) || !std::isfinite(end_time)) {
-    throw InvalidInput("solve.t_end", text(end_time), "must be finite and later than the start", "the start is " + text(start_time));
+    throw InvalidInput("solve.t_end", text(end_time), "must be finite and later than the start",
+                       "the start is " + text(start_time));
   }
   return Simulation<T>(oscillator, start_time, {stretch, rate}, end_time, options).run();
 }
 
-template Trajectory<double> simulate(const Oscillator<double>&, const double&, const double&, const double&, const double&,
-                                     const SimulationOptions<double>&);
+template Trajectory<double> simulate(const Oscillator<double>&, const double&, const double&, const double&,
+                                     const double&, const SimulationOptions<double>&);
 template Trajectory<long double> simulate(const Oscillator<long double>&, const long double&, const long double&,
-                                          const long double&, const long double&, const SimulationOptions<long double>&);
-template Regime regime_from_rest(const Oscillator<double>&, const SmoothPressure<double>&, const double&, const double&);
+                                          const long double&, const long double&,
+                                          const SimulationOptions<long double>&);
+template Regime regime_from_rest(const Oscillator<double>&, const SmoothPressure<double>&, const double&,
+                                 const double&);
 template Regime regime_from_rest(const Oscillator<long double>&, const SmoothPressure<long double>&, const long double&,
                                  const long double&);
 

@@ -21,7 +21,8 @@ template <class T, class Monomial>
 /// The right end of the first small part of [lo, hi] at which the quartic is below -noise; nothing when it never is
 /// (a dip narrower than (hi - lo)/2^depth between two such points can escape).
 template <class T>
-[[nodiscard]] std::optional<T> first_negative(const Bernstein<T>& b, const T& lo, const T& hi, const T& noise, int depth) {
+[[nodiscard]] std::optional<T> first_negative(const Bernstein<T>& b, const T& lo, const T& hi, const T& noise,
+                                              int depth) {
   bool positive = true;
   for (const T& coefficient : b) positive = positive && coefficient >= -noise;
   if (positive) return std::nullopt;

@@ -75,15 +75,23 @@ void check(const MaterialConstant& constant, const MaterialValues& values, std::
 
 void check_ogden(const std::vector<double>& mu, const std::vector<double>& alpha, std::vector<Issue>& issues) {
   if (mu.size() != alpha.size()) {
-    issues.push_back({"material.alpha", "", "has " + std::to_string(alpha.size()) + " values where material.mu has " +
-                                                std::to_string(mu.size()), "give one of each per term", {}, 0});
+    issues.push_back(
+        {"material.alpha",
+         "",
+         "has " + std::to_string(alpha.size()) + " values where material.mu has " + std::to_string(mu.size()),
+         "give one of each per term",
+         {},
+         0});
     return;
   }
   for (std::size_t p = 0; p < mu.size(); ++p) {
     if (!(mu[p] * alpha[p] > 0)) {
-      issues.push_back({"material.mu", shortest(mu[p]) + " Pa with alpha = " + shortest(alpha[p]),
+      issues.push_back({"material.mu",
+                        shortest(mu[p]) + " Pa with alpha = " + shortest(alpha[p]),
                         "a term with mu alpha <= 0 makes the material unstable",
-                        "give both constants of a term the same sign, neither zero", {}, 0});
+                        "give both constants of a term the same sign, neither zero",
+                        {},
+                        0});
     }
   }
 }
@@ -110,7 +118,8 @@ Material<double> make_material(std::string_view name, const MaterialValues& valu
     if (candidate.name == name) entry = &candidate;
     names += (names.empty() ? "" : ", ") + std::string(candidate.name);
   }
-  if (entry == nullptr) throw InvalidInput("material.model", std::string(name), "no such material", "known are " + names);
+  if (entry == nullptr)
+    throw InvalidInput("material.model", std::string(name), "no such material", "known are " + names);
 
   std::vector<Issue> issues;
   for (const auto& constant : entry->constants) check(constant, values, issues);
@@ -120,8 +129,10 @@ Material<double> make_material(std::string_view name, const MaterialValues& valu
   Material<double> material = build(name, values);
   const double stiffness = strain_energy(material, 1.0).second;
   if (!(stiffness > 0)) {
-    throw InvalidInput("material", std::string(name), "these constants make the unstretched material unstable (d2W/dlambda2 = " +
-                       shortest(stiffness) + " Pa at lambda = 1)", "the small-strain shear modulus must be positive");
+    throw InvalidInput("material", std::string(name),
+                       "these constants make the unstretched material unstable (d2W/dlambda2 = " + shortest(stiffness) +
+                           " Pa at lambda = 1)",
+                       "the small-strain shear modulus must be positive");
   }
   return material;
 }

@@ -9,8 +9,8 @@ namespace {
 
 /// Greatest of dropped(R)/kept(R) at the two ends of the range: every ratio here is a power law in R, hence monotone.
 template <class Dropped, class Kept>
-void compare(std::vector<DroppedTerm>& terms, const std::string& name, double least, double greatest, const Dropped& dropped,
-             const Kept& kept) {
+void compare(std::vector<DroppedTerm>& terms, const std::string& name, double least, double greatest,
+             const Dropped& dropped, const Kept& kept) {
   if (dropped(least) == 0) return;
   const auto ratio = [&](double R) {
     return kept(R) > 0 ? dropped(R) / kept(R) : std::numeric_limits<double>::infinity();
@@ -50,7 +50,8 @@ Model simplest_model(const Groups<double>& g, double least, double greatest, dou
   for (const Model model : {Model::orifice, Model::long_channel}) {
     if ((model == Model::orifice) != (g.b == 0)) continue;
     const std::vector<DroppedTerm> terms = dropped_terms(model, g, least, greatest);
-    if (std::all_of(terms.begin(), terms.end(), [&](const DroppedTerm& t) { return t.ratio < tolerance; })) return model;
+    if (std::all_of(terms.begin(), terms.end(), [&](const DroppedTerm& t) { return t.ratio < tolerance; }))
+      return model;
   }
   return Model::full;
 }

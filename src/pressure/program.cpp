@@ -13,18 +13,21 @@ namespace {
 void check_table(const std::vector<double>& times, const std::vector<double>& pressures) {
   const std::string key = "pressure.table";
   if (times.size() != pressures.size()) {
-    throw InvalidInput(key, std::to_string(times.size()) + " times and " + std::to_string(pressures.size()) + " pressures",
+    throw InvalidInput(key,
+                       std::to_string(times.size()) + " times and " + std::to_string(pressures.size()) + " pressures",
                        "the two lists differ in length");
   }
-  if (times.size() < 2) throw InvalidInput(key, std::to_string(times.size()) + " rows", "too short", "give at least two rows");
+  if (times.size() < 2)
+    throw InvalidInput(key, std::to_string(times.size()) + " rows", "too short", "give at least two rows");
   if (times.front() < 0) throw InvalidInput(key, shortest(times.front()) + " s", "starts before t = 0");
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!std::isfinite(times[i]) || !std::isfinite(pressures[i])) {
       throw InvalidInput(key, "row " + std::to_string(i + 1), "holds a value that is not a finite number");
     }
     if (i > 0 && !(times[i] > times[i - 1])) {
-      throw InvalidInput(key, shortest(times[i]) + " s after " + shortest(times[i - 1]) + " s (row " + std::to_string(i + 1) + ")",
-                         "times must increase strictly", "sort the rows; write a jump as two rows a little apart");
+      throw InvalidInput(
+          key, shortest(times[i]) + " s after " + shortest(times[i - 1]) + " s (row " + std::to_string(i + 1) + ")",
+          "times must increase strictly", "sort the rows; write a jump as two rows a little apart");
     }
   }
 }

@@ -22,7 +22,8 @@ RunDirectory::RunDirectory(fs::path path, const Case& c, bool force) : path_(std
   if (fs::exists(path_, error)) {
     if (!fs::is_directory(path_, error)) throw unusable(path_, "is a file", "choose another name with -o DIR");
     if (!force) throw unusable(path_, "exists already", "choose another with -o DIR, or replace it with --force");
-    for (const char* name : {"case.toml", "resolved.toml", "run.json", "trajectory.csv", "dimensionless.csv", "events.csv"}) {
+    for (const char* name :
+         {"case.toml", "resolved.toml", "run.json", "trajectory.csv", "dimensionless.csv", "events.csv"}) {
       fs::remove(path_ / name, error);
     }
     for (const char* picture : {"history", "portrait"}) {

@@ -19,7 +19,8 @@ EnergyLedger::EnergyLedger(const Oscillator<double>& oscillator, const Trajector
   before_step_.push_back(sum);
 }
 
-/// From the beginning of a step to theta. The integrands are smooth there, and polynomials of low degree times powers of R.
+/// From the beginning of a step to theta. The integrands are smooth there, and polynomials of low degree times powers
+/// of R.
 EnergyLedger::Flux EnergyLedger::over_step(const TrajectoryStep<double>& step, double theta) const {
   if (step.regime == Regime::rest || !(theta > 0)) return {0, 0};
   const SmoothPressure<double>& pressure = oscillator_.pressure().after(step.start);
@@ -59,7 +60,8 @@ Energies EnergyLedger::at(double time) const {
     flux.dissipated += part.dissipated;
   }
   const double unit = oscillator_.scales().energy();
-  return {unit * kinetic(point), unit * oscillator_.elastic_energy(point.stretch), unit * flux.work, unit * flux.dissipated};
+  return {unit * kinetic(point), unit * oscillator_.elastic_energy(point.stretch), unit * flux.work,
+          unit * flux.dissipated};
 }
 
 double EnergyLedger::closure_error() const {
@@ -72,8 +74,7 @@ double EnergyLedger::closure_error() const {
     largest = std::max({largest, e.kinetic, std::abs(e.elastic), std::abs(e.inlet_work), e.dissipated});
   }
   if (largest == 0) return 0;
-  const double defect =
-      last.kinetic + last.elastic - last.inlet_work + last.dissipated - first.kinetic - first.elastic;
+  const double defect = last.kinetic + last.elastic - last.inlet_work + last.dissipated - first.kinetic - first.elastic;
   return std::abs(defect) / largest;
 }
 

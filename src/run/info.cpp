@@ -30,7 +30,8 @@ std::vector<EquilibriaAt> equilibria_of(const Case& c) {
   return found;
 }
 
-std::vector<TimeConstants> time_constants_of(const Oscillator<double>& oscillator, const std::vector<EquilibriaAt>& all) {
+std::vector<TimeConstants> time_constants_of(const Oscillator<double>& oscillator,
+                                             const std::vector<EquilibriaAt>& all) {
   const Scales<double>& scales = oscillator.scales();
   std::vector<TimeConstants> constants;
   for (const EquilibriaAt& at : all) {
@@ -48,8 +49,16 @@ std::vector<TimeConstants> time_constants_of(const Oscillator<double>& oscillato
 
 Json groups_json(const Groups<double>& g) {
   const auto finite = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
-  return {{"C1", g.C1}, {"C2", g.C2}, {"C3", g.C3}, {"C1_long", finite(g.C1_long)}, {"C2_long", finite(g.C2_long)},
-          {"solid_inertia", g.a0}, {"channel_inertia", g.b}, {"liquid_inertia", g.m}, {"liquid_centripetal", g.n}, {"stiffness", g.K}};
+  return {{"C1", g.C1},
+          {"C2", g.C2},
+          {"C3", g.C3},
+          {"C1_long", finite(g.C1_long)},
+          {"C2_long", finite(g.C2_long)},
+          {"solid_inertia", g.a0},
+          {"channel_inertia", g.b},
+          {"liquid_inertia", g.m},
+          {"liquid_centripetal", g.n},
+          {"stiffness", g.K}};
 }
 
 }  // namespace
@@ -111,34 +120,42 @@ std::string info_json(const Case& c, const CaseInfo& info) {
 std::string info_text(const Case& c, const CaseInfo& info) {
   std::string out = c.title + "\n";
   const auto group_line = [&](const std::string& scales, const Groups<double>& g) {
-    out += "  dimensionless groups, " + scales + "\n    C1 = " + rounded(g.C1, 8) + ", C2 = " + rounded(g.C2, 8) + ", C3 = " + rounded(g.C3, 8) + "  (2.24)\n";
+    out += "  dimensionless groups, " + scales + "\n    C1 = " + rounded(g.C1, 8) + ", C2 = " + rounded(g.C2, 8) +
+           ", C3 = " + rounded(g.C3, 8) + "  (2.24)\n";
     if (g.b > 0) out += "    C1~ = " + rounded(g.C1_long, 8) + ", C2~ = " + rounded(g.C2_long, 8) + "  (2.26)\n";
   };
   group_line("p_typ = 1 Pa, t_typ = 1 s", info.groups_si);
-  group_line("p_typ = " + rounded(c.scales.pressure, 6) + " Pa, t_typ = " + rounded(c.scales.time, 6) + " s", info.groups_natural);
-  out += "    solid inertia " + rounded(info.groups_si.a0, 6) + ", channel inertia " + rounded(info.groups_si.b, 6) + ", liquid inertia " +
-         rounded(info.groups_si.m, 6) + " (deflating, R = 1), liquid centripetal " + rounded(info.groups_si.n, 6) + "  (2.22)\n";
+  group_line("p_typ = " + rounded(c.scales.pressure, 6) + " Pa, t_typ = " + rounded(c.scales.time, 6) + " s",
+             info.groups_natural);
+  out += "    solid inertia " + rounded(info.groups_si.a0, 6) + ", channel inertia " + rounded(info.groups_si.b, 6) +
+         ", liquid inertia " + rounded(info.groups_si.m, 6) + " (deflating, R = 1), liquid centripetal " +
+         rounded(info.groups_si.n, 6) + "  (2.22)\n";
   out += "  limit points\n";
   if (info.limit_points.empty()) out += "    none: the pressure rises with R throughout\n";
   for (const LimitPoint& p : info.limit_points) {
-    out += "    " + std::string(p.maximum ? "maximum" : "minimum") + " of " + rounded(p.pressure, 8) + " Pa at R = " + rounded(p.stretch, 10) + "\n";
+    out += "    " + std::string(p.maximum ? "maximum" : "minimum") + " of " + rounded(p.pressure, 8) +
+           " Pa at R = " + rounded(p.stretch, 10) + "\n";
   }
   out += "  equilibria\n";
   for (const EquilibriaAt& at : info.equilibria) {
     out += "    at " + rounded(at.pressure, 8) + " Pa (t = " + rounded(at.time, 6) + " s):";
     if (at.states.empty()) out += " none";
-    for (const Equilibrium& e : at.states) out += "  R = " + rounded(e.stretch, 10) + (e.stable ? " stable" : " unstable");
+    for (const Equilibrium& e : at.states)
+      out += "  R = " + rounded(e.stretch, 10) + (e.stable ? " stable" : " unstable");
     out += "\n";
   }
   out += "  time constants of small motions about stable equilibria, each regime on its own clock\n";
   for (const TimeConstants& t : info.time_constants) {
-    out += "    R = " + rounded(t.stretch, 6) + ": deflating " + rounded(t.deflation, 6) + " s, inflating " + rounded(t.inflation, 6) + " s\n";
+    out += "    R = " + rounded(t.stretch, 6) + ": deflating " + rounded(t.deflation, 6) + " s, inflating " +
+           rounded(t.inflation, 6) + " s\n";
   }
-  out += "  model " + std::string(name_of(info.run.choice.model)) + (info.run.choice.automatic ? " (chosen automatically)" : "") + ", R from " +
+  out += "  model " + std::string(name_of(info.run.choice.model)) +
+         (info.run.choice.automatic ? " (chosen automatically)" : "") + ", R from " +
          rounded(info.run.choice.least_stretch, 6) + " to " + rounded(info.run.choice.greatest_stretch, 6) + "\n";
   for (const auto& [model, terms] : info.run.choice.dropped) {
     for (const DroppedTerm& term : terms) {
-      out += "    " + std::string(name_of(model)) + " drops " + term.name + ": " + rounded(100 * term.ratio, 3) + " %\n";
+      out +=
+          "    " + std::string(name_of(model)) + " drops " + term.name + ": " + rounded(100 * term.ratio, 3) + " %\n";
     }
   }
   if (info.run.warnings.empty()) out += "  no assumption of the model is strained\n";

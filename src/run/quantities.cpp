@@ -12,7 +12,8 @@ namespace turgor {
 namespace {
 
 /// First time in [from, to] at which the stretch crosses a level, going the way it is asked to; dimensionless.
-std::optional<double> first_crossing(const Trajectory<double>& trajectory, double level, bool upwards, double from, double to) {
+std::optional<double> first_crossing(const Trajectory<double>& trajectory, double level, bool upwards, double from,
+                                     double to) {
   const double s = upwards ? 1 : -1;
   for (const auto& step : trajectory.steps) {
     if (step.start + step.duration <= from) continue;
@@ -23,15 +24,17 @@ std::optional<double> first_crossing(const Trajectory<double>& trajectory, doubl
     if (before == 0) return step.start;
     if (after == 0) return step.start + step.duration;
     std::uintmax_t iterations = 100;
-    const auto bracket = boost::math::tools::toms748_solve([&](double x) { return s * (step.stretch_at(x) - level); }, 0.0, 1.0,
-                                                           before, after, boost::math::tools::eps_tolerance<double>(50), iterations);
+    const auto bracket =
+        boost::math::tools::toms748_solve([&](double x) { return s * (step.stretch_at(x) - level); }, 0.0, 1.0, before,
+                                          after, boost::math::tools::eps_tolerance<double>(50), iterations);
     return step.start + step.duration * (bracket.first + bracket.second) / 2;
   }
   return std::nullopt;
 }
 
 /// Time between 10 % and 90 % of the way from one stretch to another.
-std::optional<double> ten_to_ninety(const Trajectory<double>& trajectory, double first, double last, double from, double to) {
+std::optional<double> ten_to_ninety(const Trajectory<double>& trajectory, double first, double last, double from,
+                                    double to) {
   const double way = last - first;
   if (!(std::abs(way) > 1e-12)) return std::nullopt;
   const auto begin = first_crossing(trajectory, first + 0.1 * way, way > 0, from, to);
@@ -69,7 +72,9 @@ std::vector<Quantity> quantities_of_interest(const RunResult& result) {
       peak_time = step->start;
     }
   }
-  const auto seconds = [&](std::optional<double> time) { return time ? std::optional<double>(*time * clock) : std::nullopt; };
+  const auto seconds = [&](std::optional<double> time) {
+    return time ? std::optional<double>(*time * clock) : std::nullopt;
+  };
   const Energies last = result.energies->at(end);
   const std::vector<std::optional<double>> values{
       peak,

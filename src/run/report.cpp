@@ -18,7 +18,8 @@ Json number_or_null(const std::optional<double>& value) { return value ? Json(*v
 
 Json ratios(const std::vector<DroppedTerm>& terms) {
   Json out = Json::object();
-  for (const DroppedTerm& term : terms) out[term.name] = std::isfinite(term.ratio) ? Json(term.ratio) : Json("infinite");
+  for (const DroppedTerm& term : terms)
+    out[term.name] = std::isfinite(term.ratio) ? Json(term.ratio) : Json("infinite");
   return out;
 }
 
@@ -35,9 +36,12 @@ Json model_json(const Case& c, const ModelChoice& choice) {
 }
 
 Json statistics_json(const IntegratorStatistics& s) {
-  return {{"method", "Rodas5P"},          {"steps", s.steps},
-          {"rejected", s.rejected},       {"rate_evaluations", s.rate_evaluations},
-          {"linearizations", s.linearizations}, {"factorizations", s.factorizations},
+  return {{"method", "Rodas5P"},
+          {"steps", s.steps},
+          {"rejected", s.rejected},
+          {"rate_evaluations", s.rate_evaluations},
+          {"linearizations", s.linearizations},
+          {"factorizations", s.factorizations},
           {"event_refinements", s.event_refinements}};
 }
 
@@ -64,8 +68,11 @@ std::string run_json(const Case& c, const RunResult& result) {
   for (const Warning& warning : result.warnings) warnings.push_back({{"name", warning.name}, {"text", warning.text}});
   Json expectations = Json::array();
   for (const ExpectationResult& e : result.expectations) {
-    expectations.push_back({{"quantity", e.expected.quantity}, {"value", e.expected.value}, {"tolerance", e.expected.tolerance},
-                            {"found", number_or_null(e.found)}, {"met", e.met}});
+    expectations.push_back({{"quantity", e.expected.quantity},
+                            {"value", e.expected.value},
+                            {"tolerance", e.expected.tolerance},
+                            {"found", number_or_null(e.found)},
+                            {"met", e.met}});
   }
   const Json document{
       {"title", c.title},
@@ -79,9 +86,16 @@ std::string run_json(const Case& c, const RunResult& result) {
       {"integrator", statistics_json(trajectory.statistics)},
       {"quantities", quantities},
       {"units", units},
-      {"final_state", {{"t_s", last.time}, {"R", last.stretch}, {"dRdt_1_per_s", last.stretch_rate}, {"p_gauge_Pa", last.gauge_pressure}}},
+      {"final_state",
+       {{"t_s", last.time},
+        {"R", last.stretch},
+        {"dRdt_1_per_s", last.stretch_rate},
+        {"p_gauge_Pa", last.gauge_pressure}}},
       {"dimensionless",
-       {{"p_typ_Pa", scales.pressure}, {"t_typ_s", scales.time}, {"r0_m", scales.length}, {"T_end", trajectory.last.time},
+       {{"p_typ_Pa", scales.pressure},
+        {"t_typ_s", scales.time},
+        {"r0_m", scales.length},
+        {"T_end", trajectory.last.time},
         {"energy_unit_J", scales.energy()}}},
       {"warnings", warnings},
       {"expectations", expectations},
@@ -115,9 +129,9 @@ std::string trajectory_csv(const Case& c, const RunResult& result) {
   const double m3_s = unit_factor(o.flow_unit, "m^3/s");
   const double joule = unit_factor(o.energy_unit, "J");
   std::string out = "t [" + o.time_unit + "],R [1],dRdt [1/" + o.time_unit + "],r [" + o.length_unit + "],p_gauge [" +
-                    o.pressure_unit + "],regime,volume [" + o.volume_unit + "],flow_rate [" + o.flow_unit + "],kinetic [" +
-                    o.energy_unit + "],elastic [" + o.energy_unit + "],inlet_work [" + o.energy_unit + "],dissipated [" +
-                    o.energy_unit + "]\n";
+                    o.pressure_unit + "],regime,volume [" + o.volume_unit + "],flow_rate [" + o.flow_unit +
+                    "],kinetic [" + o.energy_unit + "],elastic [" + o.energy_unit + "],inlet_work [" + o.energy_unit +
+                    "],dissipated [" + o.energy_unit + "]\n";
   const std::vector<RowTime> rows = row_times(c, result);
   out.reserve(out.size() + rows.size() * 200);
   for (const RowTime& row : rows) {
@@ -181,29 +195,31 @@ std::string summary(const Case& c, const RunResult& result, bool verbose) {
   };
   line("status", result.status() + " (" + std::string(name_of(trajectory.outcome)) + ")" +
                      (trajectory.message.empty() ? "" : ": " + trajectory.message));
-  line("model", std::string(name_of(result.choice.model)) + (result.choice.automatic ? " (chosen automatically)" : "") + ", " +
-                    std::string(name_of(c.parameters.closure)) + " closure, " + c.material_name);
+  line("model", std::string(name_of(result.choice.model)) + (result.choice.automatic ? " (chosen automatically)" : "") +
+                    ", " + std::string(name_of(c.parameters.closure)) + " closure, " + c.material_name);
   for (const Quantity& q : result.quantities) {
     if (q.value) line(q.name, rounded(*q.value, 9) + (q.unit == "1" ? "" : " " + q.unit));
   }
   if (verbose || result.choice.automatic) {
     for (const auto& [model, terms] : result.choice.dropped) {
       for (const DroppedTerm& term : terms) {
-        out += "  " + std::string(name_of(model)) + " drops " + term.name + ": " + rounded(100 * term.ratio, 3) + " % over R = " +
-               rounded(result.choice.least_stretch, 5) + " ... " + rounded(result.choice.greatest_stretch, 5) + "\n";
+        out += "  " + std::string(name_of(model)) + " drops " + term.name + ": " + rounded(100 * term.ratio, 3) +
+               " % over R = " + rounded(result.choice.least_stretch, 5) + " ... " +
+               rounded(result.choice.greatest_stretch, 5) + "\n";
       }
     }
   }
   if (verbose) {
     const IntegratorStatistics& s = trajectory.statistics;
     line("integrator", std::to_string(s.steps) + " steps, " + std::to_string(s.rejected) + " rejected, " +
-                           std::to_string(s.rate_evaluations) + " rate evaluations, " + rounded(1e3 * result.integration_seconds, 3) + " ms");
+                           std::to_string(s.rate_evaluations) + " rate evaluations, " +
+                           rounded(1e3 * result.integration_seconds, 3) + " ms");
   }
   for (const Warning& warning : result.warnings) out += "  warning: " + warning.text + "\n";
   for (const ExpectationResult& e : result.expectations) {
     line(std::string(e.met ? "as expected" : "NOT AS EXPECTED"),
-         e.expected.quantity + " = " + (e.found ? rounded(*e.found, 9) : "none") + ", expected " + rounded(e.expected.value, 9) +
-             " +- " + rounded(e.expected.tolerance, 3));
+         e.expected.quantity + " = " + (e.found ? rounded(*e.found, 9) : "none") + ", expected " +
+             rounded(e.expected.value, 9) + " +- " + rounded(e.expected.tolerance, 3));
   }
   return out;
 }

@@ -20,7 +20,8 @@ PhysicalState physical_state(const Oscillator<double>& oscillator, const Traject
   const double r = scales.length * point.stretch;
   const double rate = point.rate / scales.time;
   const double kappa = p.orifice_radius / r;
-  const double eps = kappa * kappa / (1 + std::sqrt(1 - kappa * kappa));  // depth of the cap in the channel over r, (2.1)
+  const double eps =
+      kappa * kappa / (1 + std::sqrt(1 - kappa * kappa));  // depth of the cap in the channel over r, (2.1)
   const double cap = std::numbers::pi * power<3>(r) * eps * eps * (3 - eps) / 3;
   const double speed = (2 - eps) / (eps * (1 - eps)) * scales.length * rate;  // v_z of (2.1)
   return {time * scales.time,
@@ -59,8 +60,11 @@ Trajectory<double> integrate(const Case& c, const Oscillator<double>& oscillator
 
 /// Every simpler model's dropped terms over the range; for an explicitly chosen model only its own.
 ModelChoice compare_models(const Case& c, const Groups<double>& g, const StretchRange& range) {
-  ModelChoice choice{c.model.value_or(simplest_model(g, range.least, range.greatest, c.auto_tolerance)), !c.model, range.least,
-                     range.greatest, {}};
+  ModelChoice choice{c.model.value_or(simplest_model(g, range.least, range.greatest, c.auto_tolerance)),
+                     !c.model,
+                     range.least,
+                     range.greatest,
+                     {}};
   for (const Model model : {Model::orifice, Model::long_channel}) {
     if (c.model ? *c.model == model : (model == Model::orifice) == (g.b == 0)) {
       choice.dropped.emplace_back(model, dropped_terms(model, g, range.least, range.greatest));

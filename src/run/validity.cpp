@@ -22,7 +22,8 @@ constexpr double compression = 0.001;  // undershoot of R = 1 that is worth a wo
 
 class Checks {
  public:
-  Checks(const Case& c, const RunResult& result) : case_(c), p_(c.parameters), result_(result), range_(stretch_range(*result.trajectory)) {}
+  Checks(const Case& c, const RunResult& result)
+      : case_(c), p_(c.parameters), result_(result), range_(stretch_range(*result.trajectory)) {}
 
   std::vector<Warning> all() {
     wall();
@@ -39,9 +40,11 @@ class Checks {
 
   void wall() {
     const double ratio = p_.thickness / p_.radius;
-    if (ratio > much_smaller) warn("thin-wall", "thickness/radius = " + rounded(ratio) + ": the wall is not a thin membrane (assumed << 1)");
+    if (ratio > much_smaller)
+      warn("thin-wall", "thickness/radius = " + rounded(ratio) + ": the wall is not a thin membrane (assumed << 1)");
     if (range_.least < 1 - compression) {
-      warn("compression", "the balloon is compressed to R = " + rounded(range_.least, 6) + ": a membrane buckles there, the model does not");
+      warn("compression", "the balloon is compressed to R = " + rounded(range_.least, 6) +
+                              ": a membrane buckles there, the model does not");
     }
   }
 
@@ -49,10 +52,12 @@ class Checks {
     const double largest = p_.orifice_radius / (p_.radius * range_.least);
     const double smallest = p_.orifice_radius / (p_.radius * range_.greatest);
     if (largest > largest_kappa * (1 + slack)) {
-      warn("orifice-large", "r_ch/r reaches " + rounded(largest) + ": the closure was fitted up to " + rounded(largest_kappa));
+      warn("orifice-large",
+           "r_ch/r reaches " + rounded(largest) + ": the closure was fitted up to " + rounded(largest_kappa));
     }
     if (smallest < smallest_kappa * (1 - slack)) {
-      warn("orifice-small", "r_ch/r falls to " + rounded(smallest) + ": the closure was fitted down to " + rounded(smallest_kappa));
+      warn("orifice-small",
+           "r_ch/r falls to " + rounded(smallest) + ": the closure was fitted down to " + rounded(smallest_kappa));
     }
   }
 
@@ -62,22 +67,25 @@ class Checks {
     const double kappa = p_.orifice_radius / (p_.radius * range_.least);
     const double upper = std::pow(kappa * kappa / (1 + std::sqrt(1 - kappa * kappa)), -1.5);
     if (slenderness < 1 / much_smaller || slenderness > much_smaller * upper) {
-      warn("channel-window", "L_ch/r_ch = " + rounded(slenderness) + " strains 1 << L_ch/r_ch << eps^(-3/2) = " + rounded(upper) + " of (2.25)");
+      warn("channel-window", "L_ch/r_ch = " + rounded(slenderness) +
+                                 " strains 1 << L_ch/r_ch << eps^(-3/2) = " + rounded(upper) + " of (2.25)");
     }
   }
 
   void viscosity() {
     const double reynolds = *result_.quantity("peak_reynolds");
     if (reynolds > 0 && reynolds < high_reynolds) {
-      warn("reynolds", "the Reynolds number in the orifice stays below " + rounded(reynolds) + ": the flow is not inviscid");
+      warn("reynolds",
+           "the Reynolds number in the orifice stays below " + rounded(reynolds) + ": the flow is not inviscid");
     }
     const PressureRange<double> pressures = range_of(case_.pressure, case_.solve.t_end);
     const double greatest = std::max(std::abs(pressures.least), std::abs(pressures.greatest));
     const double speed = reynolds * p_.fluid_viscosity / (p_.fluid_density * 2 * p_.orifice_radius);
     const double loss = 8 * p_.fluid_viscosity * p_.channel_length * speed / (p_.orifice_radius * p_.orifice_radius);
     if (loss > viscous_share * greatest) {
-      warn("channel-friction", "laminar friction in the channel would take " + rounded(loss) + " Pa at the peak flow, " +
-                                   rounded(100 * loss / std::max(greatest, 1e-300), 3) + " % of the greatest pressure; the model has none");
+      warn("channel-friction", "laminar friction in the channel would take " + rounded(loss) +
+                                   " Pa at the peak flow, " + rounded(100 * loss / std::max(greatest, 1e-300), 3) +
+                                   " % of the greatest pressure; the model has none");
     }
   }
 
@@ -86,12 +94,13 @@ class Checks {
     for (const LimitPoint& point : limit_points(p_)) {
       if (!point.maximum) continue;
       if (range_.greatest > point.stretch) {
-        warn("beyond-limit-point", "R reaches " + rounded(range_.greatest, 6) + ", beyond the limit point at R = " + rounded(point.stretch, 6) +
-                                       ": real balloons lose their spherical shape there");
+        warn("beyond-limit-point", "R reaches " + rounded(range_.greatest, 6) + ", beyond the limit point at R = " +
+                                       rounded(point.stretch, 6) + ": real balloons lose their spherical shape there");
       }
       if (pressures.greatest > point.pressure) {
-        warn("pressure-above-limit", "the pressure reaches " + rounded(pressures.greatest) + " Pa, above the limit point's " +
-                                         rounded(point.pressure) + " Pa: the lower stable branch ends there");
+        warn("pressure-above-limit", "the pressure reaches " + rounded(pressures.greatest) +
+                                         " Pa, above the limit point's " + rounded(point.pressure) +
+                                         " Pa: the lower stable branch ends there");
       }
       break;
     }
@@ -102,8 +111,8 @@ class Checks {
     for (const auto& [model, terms] : result_.choice.dropped) {
       for (const DroppedTerm& term : terms) {
         if (term.ratio < case_.auto_tolerance) continue;
-        warn("dropped-term", "the " + std::string(name_of(model)) + " model drops a term of " + rounded(100 * term.ratio, 3) + " % (" + term.name +
-                                 "); name = \"full\" keeps it");
+        warn("dropped-term", "the " + std::string(name_of(model)) + " model drops a term of " +
+                                 rounded(100 * term.ratio, 3) + " % (" + term.name + "); name = \"full\" keeps it");
       }
     }
   }

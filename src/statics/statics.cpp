@@ -17,8 +17,8 @@ double root(const Function& f, double lo, double hi) {
   if (f_lo == 0) return lo;
   if (f_hi == 0) return hi;
   std::uintmax_t iterations = 200;
-  const auto bracket =
-      boost::math::tools::toms748_solve(f, lo, hi, f_lo, f_hi, boost::math::tools::eps_tolerance<double>(53), iterations);
+  const auto bracket = boost::math::tools::toms748_solve(f, lo, hi, f_lo, f_hi,
+                                                         boost::math::tools::eps_tolerance<double>(53), iterations);
   return std::abs(f(bracket.first)) <= std::abs(f(bracket.second)) ? bracket.first : bracket.second;
 }
 

@@ -90,7 +90,8 @@ Curve portrait_curve(const Trajectory<double>& trajectory, Regime regime, double
   walk(trajectory, regime, [&](double, double R, double rate, bool gap) {
     const CurvePoint point{R, rate * per_second, gap};
     if (gap && left_out) curve.push_back(pending);
-    left_out = !gap && !curve.empty() && std::abs(R - curve.back().x) < dx && std::abs(point.y - curve.back().y) < dy * per_second;
+    left_out = !gap && !curve.empty() && std::abs(R - curve.back().x) < dx &&
+               std::abs(point.y - curve.back().y) < dy * per_second;
     if (!left_out) curve.push_back(point);
     pending = point;
   });
@@ -109,7 +110,8 @@ Curve pressure_curve(const Case& c, double time_unit, double pressure_unit) {
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
     const SmoothPressure<double>& pressure = c.pressure.after(knots[i]);
     double cycles = 1;
-    if (const auto* harmonic = std::get_if<HarmonicPressure<double>>(&pressure.form())) cycles += harmonic->frequency * end;
+    if (const auto* harmonic = std::get_if<HarmonicPressure<double>>(&pressure.form()))
+      cycles += harmonic->frequency * end;
     const int points = pressure.is_constant() ? 1 : static_cast<int>(std::min(64 * cycles, 200000.0));
     for (int k = 0; k <= points; ++k) {
       const double t = knots[i] + (knots[i + 1] - knots[i]) * k / points;

@@ -14,8 +14,8 @@ struct CurvePoint {
 };
 using Curve = std::vector<CurvePoint>;
 
-/// R against t = T clock, the parts of one regime. Where a column of the picture holds more points than it can show, their
-/// extremes are kept: an oscillation too fast to see becomes its envelope, never another oscillation.
+/// R against t = T clock, the parts of one regime. Where a column of the picture holds more points than it can show,
+/// their extremes are kept: an oscillation too fast to see becomes its envelope, never another oscillation.
 [[nodiscard]] Curve stretch_curve(const Trajectory<double>& trajectory, Regime regime, double clock);
 
 /// dR/dt = per_second dR/dT against R, the parts of one regime; points closer than a picture resolves are left out.

@@ -30,7 +30,8 @@ std::string quoted(const std::string& text) {
 
 namespace {
 
-/// Runs gnuplot on a script in a folder, its messages into a file there; -1 when it cannot be started, else its exit code.
+/// Runs gnuplot on a script in a folder, its messages into a file there; -1 when it cannot be started, else its exit
+/// code.
 int run_gnuplot(const fs::path& folder, std::string script, const std::string& messages) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -58,10 +59,13 @@ std::string gnuplot(const fs::path& folder, const std::string& name, const std::
   {
     std::ofstream stream(folder / script);
     stream << "# Made by turgor; draw again with: gnuplot " << script << "\n" << data;
-    stream << "set terminal svg size 800,560 font 'Helvetica,15' background rgb 'white' enhanced\n"
-           << "set output '" << name << ".svg'\n" << frame << plot << "unset output\nreset\n"
-           << "set terminal pngcairo size 1600,1120 font 'Helvetica,15' fontscale 1.9 linewidth 2 pointscale 2 enhanced\n"
-           << "set output '" << name << ".png'\n" << frame << plot << "unset output\n";
+    stream
+        << "set terminal svg size 800,560 font 'Helvetica,15' background rgb 'white' enhanced\n"
+        << "set output '" << name << ".svg'\n"
+        << frame << plot << "unset output\nreset\n"
+        << "set terminal pngcairo size 1600,1120 font 'Helvetica,15' fontscale 1.9 linewidth 2 pointscale 2 enhanced\n"
+        << "set output '" << name << ".png'\n"
+        << frame << plot << "unset output\n";
     if (!stream.flush()) return "no pictures: cannot write " + (folder / script).string();
   }
   const std::string messages = name + ".log";
@@ -70,7 +74,8 @@ std::string gnuplot(const fs::path& folder, const std::string& name, const std::
   std::error_code ignored;
   fs::remove(folder / messages, ignored);
   if (code == 0) return {};
-  return "no pictures: gnuplot was not found; install it (package gnuplot-nox) and run `gnuplot " + script + "` in " + folder.string();
+  return "no pictures: gnuplot was not found; install it (package gnuplot-nox) and run `gnuplot " + script + "` in " +
+         folder.string();
 }
 
 }  // namespace turgor

@@ -39,7 +39,9 @@ std::string line_style(const char* colour, const std::string& title) {
 }
 
 /// Pascals make unreadable axes, so pictures use kPa unless the case chose a unit.
-std::string picture_pressure_unit(const Case& c) { return c.output.pressure_unit == "Pa" ? "kPa" : c.output.pressure_unit; }
+std::string picture_pressure_unit(const Case& c) {
+  return c.output.pressure_unit == "Pa" ? "kPa" : c.output.pressure_unit;
+}
 
 std::string draw_history(const Case& c, const RunResult& result, const std::filesystem::path& folder) {
   const Trajectory<double>& trajectory = *result.trajectory;
@@ -48,8 +50,10 @@ std::string draw_history(const Case& c, const RunResult& result, const std::file
   const double clock = c.scales.time / s;
 
   Plot stretch;
-  stretch.add("inflating", stretch_curve(trajectory, Regime::inflating, clock), line_style(inflating_colour, "inflating"));
-  stretch.add("deflating", stretch_curve(trajectory, Regime::deflating, clock), line_style(deflating_colour, "deflating"));
+  stretch.add("inflating", stretch_curve(trajectory, Regime::inflating, clock),
+              line_style(inflating_colour, "inflating"));
+  stretch.add("deflating", stretch_curve(trajectory, Regime::deflating, clock),
+              line_style(deflating_colour, "deflating"));
   stretch.add("rest", stretch_curve(trajectory, Regime::rest, clock), line_style("black", "at rest"));
   constexpr std::size_t too_many_to_tell_apart = 400;
   if (trajectory.events.size() <= too_many_to_tell_apart) {
@@ -64,10 +68,13 @@ std::string draw_history(const Case& c, const RunResult& result, const std::file
   commands += "set xrange [0:" + rounded(c.solve.t_end / s, 10) + "]\n";
   commands += "set tmargin at screen 0.90; set bmargin at screen 0.40\n";
   commands += "set title " + quoted(c.title) + " offset 0,-0.5\n";
-  commands += "set ylabel 'stretch R = r/r_0 [1]' offset 1\nset format x ''\nset key top right\nset offsets 0,0,graph 0.06,graph 0.06\n";
+  commands +=
+      "set ylabel 'stretch R = r/r_0 [1]' offset 1\nset format x ''\nset key top right\nset offsets 0,0,graph "
+      "0.06,graph 0.06\n";
   commands += stretch.command();
   commands += "set tmargin at screen 0.37; set bmargin at screen 0.13\nunset title\nset format x '%g'\nunset key\n";
-  commands += "set xlabel 't [" + c.output.time_unit + "]'\nset ylabel 'p_{ext} - p_a [" + pressure_unit + "]' offset 1\n";
+  commands +=
+      "set xlabel 't [" + c.output.time_unit + "]'\nset ylabel 'p_{ext} - p_a [" + pressure_unit + "]' offset 1\n";
   commands += pressure.command() + "unset multiplot\n";
   return gnuplot(folder, "history", stretch.data() + pressure.data(), commands);
 }
@@ -77,10 +84,14 @@ std::string draw_portrait(const Case& c, const RunResult& result, const std::fil
   const double per_time = unit_factor(c.output.time_unit, "s") / c.scales.time;
   const Point<double> first = trajectory.at(0);
   Plot plot;
-  plot.add("inflating", portrait_curve(trajectory, Regime::inflating, per_time), line_style(inflating_colour, "inflating"));
-  plot.add("deflating", portrait_curve(trajectory, Regime::deflating, per_time), line_style(deflating_colour, "deflating"));
-  plot.add("start", {{first.stretch, first.rate * per_time, false}}, "points pt 6 ps 1 lw 1.5 lc rgb 'black' title 'start'");
-  plot.add("end", {{trajectory.last.stretch, trajectory.last.rate * per_time, false}}, "points pt 7 ps 0.8 lc rgb 'black' title 'end'");
+  plot.add("inflating", portrait_curve(trajectory, Regime::inflating, per_time),
+           line_style(inflating_colour, "inflating"));
+  plot.add("deflating", portrait_curve(trajectory, Regime::deflating, per_time),
+           line_style(deflating_colour, "deflating"));
+  plot.add("start", {{first.stretch, first.rate * per_time, false}},
+           "points pt 6 ps 1 lw 1.5 lc rgb 'black' title 'start'");
+  plot.add("end", {{trajectory.last.stretch, trajectory.last.rate * per_time, false}},
+           "points pt 7 ps 0.8 lc rgb 'black' title 'end'");
 
   std::string commands = "set title " + quoted(c.title) + "\n";
   commands += "set xlabel 'stretch R = r/r_0 [1]'\nset ylabel 'dR/dt [1/" + c.output.time_unit + "]'\n";

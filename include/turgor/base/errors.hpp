@@ -26,7 +26,8 @@ class InvalidInput : public std::runtime_error {
  public:
   explicit InvalidInput(std::vector<Issue> issues);
   InvalidInput(std::string key, std::string value, std::string problem, std::string advice = {})
-      : InvalidInput(std::vector<Issue>{{std::move(key), std::move(value), std::move(problem), std::move(advice), {}, 0}}) {}
+      : InvalidInput(
+            std::vector<Issue>{{std::move(key), std::move(value), std::move(problem), std::move(advice), {}, 0}}) {}
 
   [[nodiscard]] const std::vector<Issue>& issues() const noexcept { return issues_; }
 

@@ -13,7 +13,7 @@ namespace turgor {
 
 /// How to integrate and which times to write.
 struct SolveSettings {
-  double t_end;               ///< [s]
+  double t_end;  ///< [s]
   double rtol;
   double atol;
   long samples;               ///< uniform rows from 0 to t_end, both included; 0 when times are given
@@ -42,8 +42,8 @@ struct Case {
   std::string material_name;
   PressureProgram<double> pressure = constant_pressure(0.0);
   double stretch = 1;
-  double stretch_rate = 0;  ///< [1/s]
-  double max_stretch = 0;   ///< 0: never bursts
+  double stretch_rate = 0;     ///< [1/s]
+  double max_stretch = 0;      ///< 0: never bursts
   std::optional<Model> model;  ///< nothing: chosen by the size of the dropped terms
   double auto_tolerance = 0.05;
   Scales<double> scales{};

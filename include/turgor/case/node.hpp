@@ -41,8 +41,9 @@ struct Node {
 /// @throws InvalidInput with file and line when it is not valid TOML
 [[nodiscard]] Node parse_toml(std::string_view text, const std::string& file);
 
-/// Replaces or adds one value: "inlet.orifice_radius=2 cm", "pressure.segments[0].to=30 kPa". What is right of the equals
-/// sign is read as TOML where it is valid TOML (numbers, true, arrays, quoted strings) and as a bare string otherwise.
+/// Replaces or adds one value: "inlet.orifice_radius=2 cm", "pressure.segments[0].to=30 kPa". What is right of the
+/// equals sign is read as TOML where it is valid TOML (numbers, true, arrays, quoted strings) and as a bare string
+/// otherwise.
 /// @throws InvalidInput when the text has no key, or the path runs through something that is not a table or list
 void apply_override(Node& root, std::string_view assignment);
 

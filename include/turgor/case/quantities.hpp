@@ -26,7 +26,8 @@ struct QuantityName {
       {"first_event_time", "s", "time of the first regime change"},
       {"inlet_work", "J", "work done by the inlet pressure"},
       {"dissipated", "J", "energy lost to the jet during deflation"},
-      {"energy_error", "1", "energy balance: kinetic + elastic - work + dissipated - initial, over the largest of them"},
+      {"energy_error", "1",
+       "energy balance: kinetic + elastic - work + dissipated - initial, over the largest of them"},
       {"peak_reynolds", "1", "greatest Reynolds number in the orifice"},
   };
   return names;

@@ -17,8 +17,9 @@ class Reader {
   /// @param root  the parsed case, with its overrides; both must outlive the reader
   Reader(const Schema& schema, const Node& root);
 
-  // Each takes a path that the schema declares and returns its value in SI units, or its default. Nothing is returned when
-  // the key is absent without a default, or wrong; in the latter case, and when a required key is absent, an issue is kept.
+  // Each takes a path that the schema declares and returns its value in SI units, or its default. Nothing is returned
+  // when the key is absent without a default, or wrong; in the latter case, and when a required key is absent, an issue
+  // is kept.
   [[nodiscard]] std::optional<double> number(const std::string& path);
   [[nodiscard]] std::optional<long> integer(const std::string& path);
   [[nodiscard]] std::optional<bool> boolean(const std::string& path);

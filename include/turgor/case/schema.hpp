@@ -29,14 +29,14 @@ inline constexpr Range not_negative{0, std::numeric_limits<double>::infinity(), 
 
 /// One key of a case file.
 struct Key {
-  std::string path;    ///< "inlet.orifice_radius"; elements of a list of tables are written "pressure.segments[].to"
+  std::string path;  ///< "inlet.orifice_radius"; elements of a list of tables are written "pressure.segments[].to"
   ValueKind kind = ValueKind::quantity;
-  std::string unit = "1";            ///< SI unit of a quantity
+  std::string unit = "1";  ///< SI unit of a quantity
   Range range{};
   std::vector<std::string> choices{};  ///< allowed texts; for a number, words allowed in its place
-  std::string fallback{};            ///< default as it would be written; empty when there is none
+  std::string fallback{};              ///< default as it would be written; empty when there is none
   bool required = false;
-  std::string only_with{};           ///< material model that has this key; empty: always there
+  std::string only_with{};  ///< material model that has this key; empty: always there
   std::string meaning{};
 };
 

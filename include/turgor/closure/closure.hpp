@@ -23,7 +23,8 @@ struct ClosureConstants {
   T centripetal;  ///< coefficient of R^6 (dR/dT)^2 on its right-hand side, times (r_ch/r0)^3 [1]
 };
 
-/// Constants of a closure as they enter (2.22): 223/(32 pi) and 75/(4 pi) for (2.15), 9 sqrt2/(2 pi) and 12/pi for (2.12).
+/// Constants of a closure as they enter (2.22): 223/(32 pi) and 75/(4 pi) for (2.15), 9 sqrt2/(2 pi) and 12/pi for
+/// (2.12).
 template <class T>
 [[nodiscard]] ClosureConstants<T> constants(Closure closure) {
   constexpr T pi = std::numbers::pi_v<T>;
@@ -50,12 +51,12 @@ template <class T>
   constexpr T pi = std::numbers::pi_v<T>;
   const bool deflating = regime == Regime::deflating;
   const ClosureConstants<T> c = constants<T>(closure);
-  const T inertial = deflating ? 2 * pi * c.inertial : T(0);        // 9 sqrt2 or 223/16 of the bracket in (2.12), (2.15)
+  const T inertial = deflating ? 2 * pi * c.inertial : T(0);  // 9 sqrt2 or 223/16 of the bracket in (2.12), (2.15)
   const T centripetal = deflating ? pi * c.centripetal / 4 : T(0);  // 3 or 75/16
   const T r3 = power<3>(s.radius);
   return 4 * pi * s.radius * s.radius * s.inlet_pressure -
-         4 * s.fluid_density / s.orifice_radius * (4 * pi * s.channel_length / s.orifice_radius + inertial) * r3 * s.radius *
-             s.radial_accel -
+         4 * s.fluid_density / s.orifice_radius * (4 * pi * s.channel_length / s.orifice_radius + inertial) * r3 *
+             s.radius * s.radial_accel -
          32 * s.fluid_density / power<2>(s.orifice_radius) *
              (pi * s.channel_length - centripetal * r3 / power<2>(s.orifice_radius)) * r3 * power<2>(s.radial_rate);
 }

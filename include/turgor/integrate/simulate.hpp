@@ -33,8 +33,8 @@ struct SimulationOptions {
 /// Never throws for trouble on the way: the outcome says what happened and everything up to there is kept.
 /// @throws InvalidInput when the start is not finite, R is not in (0, limit), or end_time <= start_time
 template <class T>
-[[nodiscard]] Trajectory<T> simulate(const Oscillator<T>& oscillator, const T& start_time, const T& stretch, const T& rate,
-                                     const T& end_time, const SimulationOptions<T>& options);
+[[nodiscard]] Trajectory<T> simulate(const Oscillator<T>& oscillator, const T& start_time, const T& stretch,
+                                     const T& rate, const T& end_time, const SimulationOptions<T>& options);
 
 /// Regime in which the balloon leaves a state of rest (dR/dT = 0) at stretch R and time T; see simulate().
 template <class T>
@@ -46,8 +46,9 @@ extern template Trajectory<double> simulate(const Oscillator<double>&, const dou
 extern template Trajectory<long double> simulate(const Oscillator<long double>&, const long double&, const long double&,
                                                  const long double&, const long double&,
                                                  const SimulationOptions<long double>&);
-extern template Regime regime_from_rest(const Oscillator<double>&, const SmoothPressure<double>&, const double&, const double&);
-extern template Regime regime_from_rest(const Oscillator<long double>&, const SmoothPressure<long double>&, const long double&,
-                                        const long double&);
+extern template Regime regime_from_rest(const Oscillator<double>&, const SmoothPressure<double>&, const double&,
+                                        const double&);
+extern template Regime regime_from_rest(const Oscillator<long double>&, const SmoothPressure<long double>&,
+                                        const long double&, const long double&);
 
 }  // namespace turgor

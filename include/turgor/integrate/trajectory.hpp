@@ -13,14 +13,14 @@ namespace turgor {
 
 /// Why a trajectory ends where it does.
 enum class Outcome {
-  reached_end,   ///< at the requested end time
-  at_rest,       ///< within the requested distance of an equilibrium, under a pressure that stays constant
-  max_events,    ///< after the requested number of events
-  burst,         ///< reached the stretch at which the wall is said to burst
-  runaway,       ///< nothing holds the balloon any more: the stretch exceeds every physical value
-  step_failed,   ///< the step size fell below what the clock resolves
-  max_steps,     ///< more steps than allowed
-  interrupted,   ///< asked to stop from outside
+  reached_end,  ///< at the requested end time
+  at_rest,      ///< within the requested distance of an equilibrium, under a pressure that stays constant
+  max_events,   ///< after the requested number of events
+  burst,        ///< reached the stretch at which the wall is said to burst
+  runaway,      ///< nothing holds the balloon any more: the stretch exceeds every physical value
+  step_failed,  ///< the step size fell below what the clock resolves
+  max_steps,    ///< more steps than allowed
+  interrupted,  ///< asked to stop from outside
 };
 
 /// "reached-end", "at-rest", ...
@@ -81,7 +81,7 @@ struct Trajectory {
   std::vector<RegimeEvent<T>> events;    ///< the start is none
   Point<T> last;                         ///< final state
   Outcome outcome = Outcome::reached_end;
-  std::string message;                   ///< for people, when the outcome is not what was asked for
+  std::string message;  ///< for people, when the outcome is not what was asked for
   IntegratorStatistics statistics;
 
   /// State at a time between the start and last.time; at an event, the state after it.

@@ -9,8 +9,8 @@ namespace turgor {
 /// Arruda-Boyce eight-chain solid, its five-term series in I1:
 /// W = mu sum_{i=1..5} C_i lambda_m^(2-2i) (I1^i - 3^i), C = 1/2, 1/20, 11/1050, 19/7000, 519/673750.
 ///
-/// E. M. Arruda & M. C. Boyce, J. Mech. Phys. Solids 41 (1993) 389. mu is the coefficient of the series (n k Theta); the
-/// small-strain shear modulus is a little larger. The series stays finite beyond the locking stretch lambda_m.
+/// E. M. Arruda & M. C. Boyce, J. Mech. Phys. Solids 41 (1993) 389. mu is the coefficient of the series (n k Theta);
+/// the small-strain shear modulus is a little larger. The series stays finite beyond the locking stretch lambda_m.
 template <class T>
 struct ArrudaBoyce {
   T mu;        ///< [Pa]
@@ -24,11 +24,11 @@ struct ArrudaBoyce {
     const S whole = i1.value + 3.0;
     const T shrink = 1 / (lambda_m * lambda_m);
     Jet<S> f{S(0.0), S(0.0), S(0.0)};
-    S power(1.0);        // I1^(i-1)
-    S previous(0.0);     // I1^(i-2)
-    S difference(1.0);   // (I1^i - 3^i)/(I1 - 3)
-    T three(1);          // 3^(i-1)
-    T factor = mu;       // mu lambda_m^(2-2i)
+    S power(1.0);       // I1^(i-1)
+    S previous(0.0);    // I1^(i-2)
+    S difference(1.0);  // (I1^i - 3^i)/(I1 - 3)
+    T three(1);         // 3^(i-1)
+    T factor = mu;      // mu lambda_m^(2-2i)
     for (std::size_t i = 1; i <= c.size(); ++i) {
       const T weight = factor * c[i - 1];
       const T n = static_cast<T>(i);

@@ -24,8 +24,7 @@ template <class S>
 [[nodiscard]] Jet<S> first_invariant_minus_3(const S& lambda) {
   const S x = lambda * lambda;
   const S below_one = (lambda - 1.0) * (lambda + 1.0);  // x - 1
-  return {below_one * below_one * (2.0 * x + 1.0) / (x * x),
-          4.0 * below_one * (x * x + x + 1.0) / (x * x * lambda),
+  return {below_one * below_one * (2.0 * x + 1.0) / (x * x), 4.0 * below_one * (x * x + x + 1.0) / (x * x * lambda),
           4.0 + 20.0 / (x * x * x)};
 }
 
@@ -35,8 +34,7 @@ template <class S>
 [[nodiscard]] Jet<S> second_invariant_minus_3(const S& lambda) {
   const S x = lambda * lambda;
   const S below_one = (lambda - 1.0) * (lambda + 1.0);
-  return {below_one * below_one * (x + 2.0) / x,
-          4.0 * below_one * (x * x + x + 1.0) / (x * lambda),
+  return {below_one * below_one * (x + 2.0) / x, 4.0 * below_one * (x * x + x + 1.0) / (x * lambda),
           12.0 * x + 12.0 / (x * x)};
 }
 

@@ -35,8 +35,8 @@ template <class T>
 /// -(mu jm/2) ln(1 - j/jm) as a function of j = I1 - 3, with derivatives; all +infinity from j = jm on.
 template <class T, class S>
 [[nodiscard]] Jet<S> gent_function(const T& mu, const T& jm, const S& j) {
-  using std::log1p;
   using std::log;
+  using std::log1p;
   const S left = 1.0 - j / jm;
   if (!(real_part(left) > 0)) {
     const S infinite(std::numeric_limits<T>::infinity());

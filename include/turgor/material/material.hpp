@@ -22,7 +22,8 @@ namespace turgor {
 
 /// One of the known hyperelastic materials; T is the type of its constants.
 template <class T>
-using Material = std::variant<MooneyRivlin<T>, NeoHookean<T>, Yeoh<T>, Gent<T>, GentGent<T>, Ogden<T>, Fung<T>, ArrudaBoyce<T>>;
+using Material =
+    std::variant<MooneyRivlin<T>, NeoHookean<T>, Yeoh<T>, Gent<T>, GentGent<T>, Ogden<T>, Fung<T>, ArrudaBoyce<T>>;
 
 /// Strain energy density W [J/m^3] at stretch lambda > 0, with dW/dlambda and d2W/dlambda2 [Pa].
 /// All three are +infinity at or beyond stretch_limit(material).
@@ -48,16 +49,16 @@ template <class T>
 /// One constant of a material, as a case file names it.
 struct MaterialConstant {
   std::string_view key;
-  std::string_view unit;      ///< SI unit, "1" when dimensionless
-  bool is_list = false;       ///< a list of values, one per term
-  bool positive = false;      ///< must be > 0 (each value)
+  std::string_view unit;  ///< SI unit, "1" when dimensionless
+  bool is_list = false;   ///< a list of values, one per term
+  bool positive = false;  ///< must be > 0 (each value)
   std::string_view meaning;
 };
 
 /// One entry of the catalogue of materials.
 struct MaterialEntry {
-  std::string_view name;       ///< as in `model = "..."`
-  std::string_view energy;     ///< strain energy density in words of algebra
+  std::string_view name;    ///< as in `model = "..."`
+  std::string_view energy;  ///< strain energy density in words of algebra
   std::string_view reference;
   std::vector<MaterialConstant> constants;
 };

@@ -25,8 +25,8 @@ struct Ogden {
     Jet<S> sum{S(0.0), S(0.0), S(0.0)};
     for (std::size_t p = 0; p < mu.size(); ++p) {
       const T a = alpha[p];
-      const S up = exp(a * logarithm);          // lambda^a
-      const S down = 1.0 / (up * up);           // lambda^-2a
+      const S up = exp(a * logarithm);  // lambda^a
+      const S down = 1.0 / (up * up);   // lambda^-2a
       // 2 u + u^-2 - 3 with its double zero at u = 1 factored out
       sum.value += (mu[p] / a) * ((up - 1.0) * (up - 1.0) * (2.0 * up + 1.0) * down);
       sum.first += (2 * mu[p]) * (up - down) / lambda;

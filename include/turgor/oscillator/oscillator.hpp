@@ -73,8 +73,14 @@ class Oscillator {
     const ElasticTerm<T> e = elastic_term(parameters_, scales_, R);
     const T r2 = R * R;
     const T r3 = r2 * R;
-    return {i.m0 + i.m4 * r3 * R, 4 * i.m4 * r3, (i.q3 + i.q6 * r3) * r3, (3 * i.q3 + 6 * i.q6 * r3) * r2,
-            r2,                   2 * R,         e.value,                 e.slope};
+    return {i.m0 + i.m4 * r3 * R,
+            4 * i.m4 * r3,
+            (i.q3 + i.q6 * r3) * r3,
+            (3 * i.q3 + 6 * i.q6 * r3) * r2,
+            r2,
+            2 * R,
+            e.value,
+            e.slope};
   }
 
   /// Force at rest, a(R) P - E(R): its sign chooses the regime in which the balloon leaves a state of rest.
@@ -84,7 +90,8 @@ class Oscillator {
 
   /// Dimensionless strain energy: integral of E from 1 to R.
   [[nodiscard]] T elastic_energy(const T& R) const {
-    return strain_energy(parameters_.material, R).value * parameters_.thickness / (parameters_.radius * scales_.pressure);
+    return strain_energy(parameters_.material, R).value * parameters_.thickness /
+           (parameters_.radius * scales_.pressure);
   }
 
   /// P(T) = (p_ext - p_a)/p_typ against T = t/t_typ.

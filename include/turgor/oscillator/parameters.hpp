@@ -10,13 +10,13 @@ namespace turgor {
 /// Everything that eq. (2.22) needs to know about one balloon, in SI units.
 template <class T>
 struct Parameters {
-  T radius;              ///< unstretched radius r0 [m]
-  T thickness;           ///< unstretched wall thickness d0 [m]
-  T solid_density;       ///< rho_s [kg/m^3]
-  T fluid_density;       ///< rho_f [kg/m^3]
-  T fluid_viscosity;     ///< mu_f [Pa s]; the model is inviscid, this only serves to judge that
-  T orifice_radius;      ///< r_ch [m]
-  T channel_length;      ///< L_ch [m]; 0 without a channel
+  T radius;           ///< unstretched radius r0 [m]
+  T thickness;        ///< unstretched wall thickness d0 [m]
+  T solid_density;    ///< rho_s [kg/m^3]
+  T fluid_density;    ///< rho_f [kg/m^3]
+  T fluid_viscosity;  ///< mu_f [Pa s]; the model is inviscid, this only serves to judge that
+  T orifice_radius;   ///< r_ch [m]
+  T channel_length;   ///< L_ch [m]; 0 without a channel
   Material<T> material;
   Closure closure = Closure::corrected;
 };
@@ -84,6 +84,7 @@ template <class T>
 /// Scales chosen when none are given: the greatest gauge pressure of the program up to t_end (or the wall's own
 /// d0 W''(1)/r0 when there is none), and the inverse of the deflating balloon's natural frequency about R = 1, which is
 /// stable for every material.
-[[nodiscard]] Scales<double> natural_scales(const Parameters<double>& p, const PressureProgram<double>& program, double t_end);
+[[nodiscard]] Scales<double> natural_scales(const Parameters<double>& p, const PressureProgram<double>& program,
+                                            double t_end);
 
 }  // namespace turgor

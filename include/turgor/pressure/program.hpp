@@ -37,6 +37,12 @@ struct PolynomialPressure {
     return sum / scale;
   }
 
+  [[nodiscard]] T derivative_size(int k) const {
+    PolynomialPressure all_positive = *this;
+    for (T& coefficient : all_positive.polynomial) coefficient = coefficient < T(0) ? -coefficient : coefficient;
+    return all_positive.derivative(k, start + duration);
+  }
+
   [[nodiscard]] bool is_constant() const {
     return std::all_of(polynomial.begin() + 1, polynomial.end(), [](const T& c) { return c == T(0); });
   }
@@ -65,6 +71,13 @@ struct HarmonicPressure {
     return (k == 0 ? mean : T(0)) + factor * sin(omega * t + phase + quarter_turns);
   }
 
+  [[nodiscard]] T derivative_size(int k) const {
+    using std::abs;
+    T size = abs(amplitude);
+    for (int j = 0; j < k; ++j) size *= 2 * std::numbers::pi_v<T> * frequency;
+    return size;
+  }
+
   [[nodiscard]] bool is_constant() const { return amplitude == T(0) || frequency == T(0); }
 
   [[nodiscard]] HarmonicPressure in_units(const T& pressure, const T& time) const {
@@ -84,6 +97,10 @@ class SmoothPressure {
     return std::visit([&](const auto& form) { return form.derivative(k, t); }, form_);
   }
   [[nodiscard]] T operator()(const T& t) const { return derivative(0, t); }
+  /// Size of the terms that make up the k-th derivative: its rounding is relative to that.
+  [[nodiscard]] T derivative_size(int k) const {
+    return std::visit([&](const auto& form) { return form.derivative_size(k); }, form_);
+  }
   [[nodiscard]] bool is_constant() const {
     return std::visit([](const auto& form) { return form.is_constant(); }, form_);
   }
@@ -205,7 +222,8 @@ enum class TableInterpolation {
 /// @param times      [s], strictly increasing, at least two, the first >= 0
 /// @param pressures  gauge pressure [Pa], one for each time
 /// @throws InvalidInput when the lists differ in length, are too short, not finite, or not increasing
-[[nodiscard]] PressureProgram<double> table_pressure(const std::vector<double>& times, const std::vector<double>& pressures,
+[[nodiscard]] PressureProgram<double> table_pressure(const std::vector<double>& times,
+                                                     const std::vector<double>& pressures,
                                                      TableInterpolation interpolation);
 
 /// Largest and smallest gauge pressure [Pa] on [0, t_end].

@@ -8,8 +8,8 @@
 
 namespace turgor {
 
-/// A run directory. While a run is under way its run.json says "running", so that a folder left by a killed process never
-/// passes as complete.
+/// A run directory. While a run is under way its run.json says "running", so that a folder left by a killed process
+/// never passes as complete.
 class RunDirectory {
  public:
   /// Creates the folder and writes case.toml and resolved.toml.

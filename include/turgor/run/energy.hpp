@@ -43,7 +43,8 @@ class EnergyLedger {
 
   const Oscillator<double>& oscillator_;
   const Trajectory<double>& trajectory_;
-  std::vector<Flux> before_step_;  ///< dimensionless, from the start to the beginning of each step; one more for the end
+  std::vector<Flux>
+      before_step_;  ///< dimensionless, from the start to the beginning of each step; one more for the end
 };
 
 }  // namespace turgor

@@ -28,8 +28,8 @@ struct RowTime {
   double seconds;  ///< t [s]; exactly as requested
 };
 
-/// The requested times up to where the run ended. A run that came to rest stays there; one that ended early in another way
-/// has its end as the last row.
+/// The requested times up to where the run ended. A run that came to rest stays there; one that ended early in another
+/// way has its end as the last row.
 [[nodiscard]] std::vector<RowTime> row_times(const Case& c, const RunResult& result);
 
 }  // namespace turgor

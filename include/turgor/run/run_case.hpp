@@ -72,16 +72,17 @@ using Progress = std::function<bool(double)>;
 
 /// State of the balloon in SI units at one time.
 struct PhysicalState {
-  double time;             ///< [s]
-  double stretch;          ///< [1]
-  double stretch_rate;     ///< [1/s]
-  double radius;           ///< [m]
-  double gauge_pressure;   ///< at the inlet [Pa]
+  double time;            ///< [s]
+  double stretch;         ///< [1]
+  double stretch_rate;    ///< [1/s]
+  double radius;          ///< [m]
+  double gauge_pressure;  ///< at the inlet [Pa]
   Regime regime;
-  double volume;           ///< of liquid in the balloon, the cap inside the channel left out [m^3]
-  double flow_rate;        ///< into the balloon, eq. (2.1) [m^3/s]
+  double volume;     ///< of liquid in the balloon, the cap inside the channel left out [m^3]
+  double flow_rate;  ///< into the balloon, eq. (2.1) [m^3/s]
 };
 /// @param time  dimensionless, within the trajectory
-[[nodiscard]] PhysicalState physical_state(const Oscillator<double>& oscillator, const Trajectory<double>& trajectory, double time);
+[[nodiscard]] PhysicalState physical_state(const Oscillator<double>& oscillator, const Trajectory<double>& trajectory,
+                                           double time);
 
 }  // namespace turgor
