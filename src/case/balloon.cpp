@@ -51,7 +51,7 @@ void declare_balloon(Schema& schema) {
   }
   schema.add({.path = "material.max_stretch",
               .kind = number,
-              .range = {1, 1000, true},
+              .range = {1, largest_stretch, true},
               .meaning = "stretch at which the wall bursts, which ends the run"});
 
   schema.describe("fluid", "the liquid");

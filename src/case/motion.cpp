@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "parts.hpp"
 #include "turgor/base/text.hpp"
@@ -11,7 +12,7 @@ void declare_motion(Schema& schema) {
   schema.describe("initial", "state at t = 0");
   schema.add({.path = "initial.stretch",
               .kind = number,
-              .range = {0, 1000, true},
+              .range = {0, largest_stretch, true},
               .choices = {"equilibrium"},
               .fallback = "1.0",
               .meaning = "R = r/r0, or \"equilibrium\": the lowest stable one at the pressure at t = 0"});
@@ -67,9 +68,9 @@ void read_initial(Reader& reader, Case& c) {
   c.stretch_rate = reader.number("initial.stretch_rate").value_or(0);
   if (!reader.issues().empty()) return;
   const Parameters<double>& p = c.parameters;
-  if (c.stretch >= stretch_limit(p.material)) {
+  if (!std::isfinite(strain_energy(p.material, c.stretch).first)) {
     reader.complain("initial.stretch", "beyond the stretch at which the material locks",
-                    "must be less than " + shortest(stretch_limit(p.material)));
+                    "this one locks at " + rounded(stretch_limit(p.material), 6) + ", and in compression likewise");
   }
   if (c.max_stretch > 0 && c.stretch >= c.max_stretch) {
     reader.complain("initial.stretch", "the wall has burst already",

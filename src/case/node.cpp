@@ -172,7 +172,9 @@ void apply_override(Node& root, std::string_view assignment) {
       node = &(*array)[index];
     }
   }
-  *node = parse_override_value(std::string(assignment.substr(equals + 1)));
+  std::string_view value = assignment.substr(equals + 1);
+  while (!value.empty() && value.front() == ' ') value.remove_prefix(1);
+  *node = parse_override_value(std::string(value));
 }
 
 }  // namespace turgor

@@ -79,7 +79,7 @@ void Reader::complain(const std::string& path, std::string problem, std::string 
   for (std::string at = path; !at.empty();
        at.resize(at.find_last_of(".[") == std::string::npos ? 0 : at.find_last_of(".["))) {
     if (const Node* found = node(at)) {
-      if (at == path) issue.value = found->text();
+      if (at == path && (found->as<Node::Table>() == nullptr || path.ends_with(']'))) issue.value = found->text();
       issue.file = found->file;
       issue.line = found->line;
       break;
@@ -146,7 +146,7 @@ std::optional<double> Reader::number(const std::string& path) {
   const Key& declared = key(path);
   const Node* given = node(path);
   if (given == nullptr && declared.fallback.empty()) {
-    if (declared.required) complain(path, "missing", declared.meaning);
+    if (declared.required) complain(path, "missing", "give the " + declared.meaning);
     return std::nullopt;
   }
   const std::optional<double> value =
@@ -193,7 +193,7 @@ std::optional<std::string> Reader::text(const std::string& path) {
   if (given == nullptr && declared.fallback.empty()) {
     if (declared.required) {
       complain(path, "missing",
-               declared.choices.empty() ? declared.meaning : "one of " + choices_text(declared.choices));
+               declared.choices.empty() ? "give the " + declared.meaning : "one of " + choices_text(declared.choices));
     }
     return std::nullopt;
   }
@@ -214,7 +214,7 @@ std::optional<std::vector<double>> Reader::list(const std::string& path) {
   const Key& declared = key(path);
   const Node* given = node(path);
   if (given == nullptr) {
-    if (declared.required) complain(path, "missing", declared.meaning);
+    if (declared.required) complain(path, "missing", "give the " + declared.meaning);
     return std::nullopt;
   }
   const auto* array = given->as<Node::Array>();

@@ -75,7 +75,8 @@ std::string Schema::nearest(std::string_view path, std::string_view material) co
     if (!key.path.starts_with(parent) || !(key.only_with.empty() || key.only_with == material)) continue;
     std::string candidate = key.path.substr(parent.size());
     candidate = candidate.substr(0, candidate.find_first_of(".["));
-    const bool abbreviated = last.size() > 2 && (candidate.starts_with(last) || last.starts_with(candidate));
+    const bool abbreviated =
+        last.size() > 2 && (candidate.find(last) != std::string::npos || last.find(candidate) != std::string::npos);
     const std::size_t distance = abbreviated ? 1 : edit_distance(last, candidate);
     if (distance < best_distance) {
       best_distance = distance;

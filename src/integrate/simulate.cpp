@@ -307,10 +307,9 @@ template <class T>
 Trajectory<T> simulate(const Oscillator<T>& oscillator, const T& start_time, const T& stretch, const T& rate,
                        const T& end_time, const SimulationOptions<T>& options) {
   const auto text = [](const T& x) { return shortest(static_cast<double>(x)); };
-  const T limit = stretch_limit(oscillator.parameters().material);
-  if (!(stretch > T(0) && stretch < limit) || !std::isfinite(stretch)) {
+  if (!(stretch > T(0)) || !std::isfinite(strain_energy(oscillator.parameters().material, stretch).first)) {
     throw InvalidInput("initial.stretch", text(stretch), "not a stretch this material can have",
-                       "allowed is 0 < stretch < " + text(limit));
+                       "must be positive and where the tension of the wall is finite");
   }
   if (options.max_stretch > T(0) && stretch >= options.max_stretch) {
     throw InvalidInput("initial.stretch", text(stretch), "the wall has burst already",

@@ -4,6 +4,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace turgor {
 
@@ -62,9 +63,11 @@ std::vector<Equilibrium> equilibria(const Parameters<double>& p, double pressure
   for (const LimitPoint& point : limit_points(p)) ends.push_back(point.stretch);
   ends.push_back(upper_end(p));
 
+  // Beyond locking the tension is infinite, outwards or inwards; the root finder wants numbers.
   const auto excess = [&](double R) {
+    constexpr double huge = std::numeric_limits<double>::max();
     const double difference = static_pressure(p, R).value - pressure;
-    return std::isfinite(difference) ? difference : std::numeric_limits<double>::max();
+    return std::isnan(difference) ? (R < 1 ? -huge : huge) : std::clamp(difference, -huge, huge);
   };
   std::vector<Equilibrium> found;
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {  // monotone in between

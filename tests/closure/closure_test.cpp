@@ -22,15 +22,17 @@ TEST(Closure, ForceReproducesTheReferenceValues) {
     for (const auto& entry : test::reference().at(name)) {
       const Closure closure = std::string(name) == "F_2.15" ? Closure::corrected : Closure::theoretical;
       const Regime regime = entry.input("rdot") < 0 ? Regime::deflating : Regime::inflating;
-      const FlowState<double> state{entry.input("r"),    entry.input("rdot"), entry.input("rddot"), entry.input("p_ext"),
-                                    entry.input("r_ch"), entry.input("L_ch"), entry.input("rho")};
+      const FlowState<double> state{entry.input("r"),     entry.input("rdot"), entry.input("rddot"),
+                                    entry.input("p_ext"), entry.input("r_ch"), entry.input("L_ch"),
+                                    entry.input("rho")};
       const double force = generalized_force(closure, regime, state);
       EXPECT_NEAR(force, entry.value, std::max(entry.error_bound, 1e-9)) << entry.inputs;
     }
   }
 }
 
-// The force law and the oscillator are two derivations of one balance: 8 pi rho_s r0^2 d0 r'' + 4 pi r0 d0 W' = F - 4 pi r^2 p_a.
+// The force law and the oscillator are two derivations of one balance: 8 pi rho_s r0^2 d0 r'' + 4 pi r0 d0 W' = F - 4
+// pi r^2 p_a.
 TEST(Closure, ForceAndOscillatorAgree) {
   const auto p = test::paper_balloon<double>(0.02, 0.3);
   for (const Closure closure : {Closure::theoretical, Closure::corrected}) {

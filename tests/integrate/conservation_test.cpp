@@ -24,7 +24,9 @@ SimulationOptions<double> at_tolerance(double tolerance) {
 }
 
 /// Half of Phi(R) - Phi(1) = 2 int F with F = E - a P, from the energy and the volume.
-double potential(const Oscillator<double>& oscillator, double R, double P) { return oscillator.elastic_energy(R) - P * (R * R * R - 1) / 3; }
+double potential(const Oscillator<double>& oscillator, double R, double P) {
+  return oscillator.elastic_energy(R) - P * (R * R * R - 1) / 3;
+}
 
 struct InflatingCase {
   Model model;
@@ -62,7 +64,8 @@ TEST(FirstIntegral, IsConservedWhileInflating) {
       scale = std::max(scale, kinetic);
       worst = std::max(worst, std::abs(kinetic + released));
     }
-    EXPECT_LT(worst, 1e-9 * scale) << name_of(c.model) << " r_ch = " << c.orifice_radius << " L_ch = " << c.channel_length;
+    EXPECT_LT(worst, 1e-9 * scale) << name_of(c.model) << " r_ch = " << c.orifice_radius
+                                   << " L_ch = " << c.channel_length;
   }
 }
 
@@ -95,7 +98,8 @@ TEST(FirstIntegral, GivesTheRateWhileDeflating) {
         double integral = 0;
         const double width = 1 / (2 * C2 * R * R);
         for (double from = R; from < start && from < R + 50 * width; from += width) {
-          integral += boost::math::quadrature::gauss_kronrod<double, 31>::integrate(integrand, from, std::min(from + width, start), 0);
+          integral += boost::math::quadrature::gauss_kronrod<double, 31>::integrate(integrand, from,
+                                                                                    std::min(from + width, start), 0);
         }
         // sqrt(w) to 1e-9 of the largest rate, ten times the tolerance
         EXPECT_NEAR(-trajectory.steps[i].rate_at(0), std::sqrt(std::max(0.0, 2 * C1 * integral)), 1e-9 * largest)
@@ -134,8 +138,8 @@ Parameters<double> random_balloon(std::mt19937_64& random) {
   return p;
 }
 
-// Under constant pressure M_s v^2/2 + Phi/2 of (2.22) stays constant while inflating and only falls while deflating. The
-// slack is the integration's own error at rtol 1e-9, a hundred tolerances of the energies involved.
+// Under constant pressure M_s v^2/2 + Phi/2 of (2.22) stays constant while inflating and only falls while deflating.
+// The slack is the integration's own error at rtol 1e-9, a hundred tolerances of the energies involved.
 TEST(Energy, NeverGrowsWhileDeflatingForAThousandRandomBalloons) {
   const std::uint64_t seed = random_seed();
   std::cout << "TURGOR_TEST_SEED=" << seed << "\n";
@@ -166,15 +170,16 @@ TEST(Energy, NeverGrowsWhileDeflatingForAThousandRandomBalloons) {
     for (const auto& step : trajectory.steps) {
       if (step.regime != Regime::deflating) continue;
       ++checked;
-      ASSERT_LE(energy(step, 1), energy(step, 0) + 1e-7 * span) << "balloon " << i << " of seed " << seed << " at T = " << step.start;
+      ASSERT_LE(energy(step, 1), energy(step, 0) + 1e-7 * span)
+          << "balloon " << i << " of seed " << seed << " at T = " << step.start;
     }
   }
   EXPECT_GT(checked, 20000);
 }
 
-// (2.22) turns into (2.25) as 1 << L/r_ch << eps^(-3/2). With r_ch = h^2 r0 and L = h r0 the only term that inflation drops
-// is the wall's inertia, a0/b = O(h^3). Deflation drops m/b = O(h), but the inertia itself only matters like 1/C2~ = b/n =
-// O(h^5) there, so that the difference is m/n = O(h^6).
+// (2.22) turns into (2.25) as 1 << L/r_ch << eps^(-3/2). With r_ch = h^2 r0 and L = h r0 the only term that inflation
+// drops is the wall's inertia, a0/b = O(h^3). Deflation drops m/b = O(h), but the inertia itself only matters like
+// 1/C2~ = b/n = O(h^5) there, so that the difference is m/n = O(h^6).
 TEST(Limit, FullModelBecomesTheLongChannel) {
   const auto difference = [](double h, double start) {
     const auto p = paper_balloon<double>(0.3 * h * h, 0.3 * h);

@@ -35,14 +35,15 @@ std::map<std::string, std::vector<ReferenceValue>> trajectories(const std::vecto
 template <class T>
 Oscillator<T> oscillator_of(const ReferenceValue& entry) {
   const auto p = test::paper_balloon<T>(entry.exact<T>("r_ch"), entry.exact<T>("L_ch"));
-  const auto program = entry.has("p_max") ? test::up_hold_down<T>(entry.exact<T>("p_max"), entry.exact<T>("t1"), entry.exact<T>("t2"),
-                                                                  entry.exact<T>("t3"))
+  const auto program = entry.has("p_max") ? test::up_hold_down<T>(entry.exact<T>("p_max"), entry.exact<T>("t1"),
+                                                                  entry.exact<T>("t2"), entry.exact<T>("t3"))
                                           : constant_pressure<T>(entry.exact<T>("P"));
   return Oscillator<T>(model_of(entry.text("eq")), p, program, test::si_scales(p));
 }
 
-/// Bound on the difference from one reference value. Event times without a channel under a ramp are ill-conditioned: the
-/// balloon follows the pressure with 469 rad/s and crosses dR/dt = 0 at a glancing angle, so double precision allows 1e-7 s.
+/// Bound on the difference from one reference value. Event times without a channel under a ramp are ill-conditioned:
+/// the balloon follows the pressure with 469 rad/s and crosses dR/dt = 0 at a glancing angle, so double precision
+/// allows 1e-7 s.
 template <class T>
 double bound(const ReferenceValue& entry) {
   const bool glancing = entry.name == "event_time_forced" && entry.input("L_ch") == 0;
@@ -59,7 +60,8 @@ void compare(const std::vector<ReferenceValue>& entries, const T& tolerance) {
   SimulationOptions<T> options;
   options.rtol = options.atol = tolerance;
   const auto& first = entries.front();
-  const auto trajectory = simulate<T>(oscillator_of<T>(first), T(0), first.exact<T>("R0"), first.exact<T>("v0"), end, options);
+  const auto trajectory =
+      simulate<T>(oscillator_of<T>(first), T(0), first.exact<T>("R0"), first.exact<T>("v0"), end, options);
   ASSERT_EQ(trajectory.outcome, Outcome::reached_end) << trajectory.message;
   for (const auto& entry : entries) {
     if (entry.name == "n_events_forced") {
@@ -110,7 +112,8 @@ Trajectory<double> scaled_deflation(const ReferenceValue& entry, double end, dou
   const auto at_one_second = groups(p, scales);
   EXPECT_NEAR(channel ? at_one_second.C2_long : at_one_second.C2, entry.input("C2"), 1e-11 * entry.input("C2"));
   scales.time = std::sqrt(entry.input("C1") / (channel ? at_one_second.C1_long : at_one_second.C1));
-  const Oscillator<double> oscillator(channel ? Model::long_channel : Model::orifice, p, constant_pressure(entry.input("P0") * 6000), scales);
+  const Oscillator<double> oscillator(channel ? Model::long_channel : Model::orifice, p,
+                                      constant_pressure(entry.input("P0") * 6000), scales);
   SimulationOptions<double> options;
   options.rtol = tolerance;
   options.atol = 1e-3 * tolerance;  // dR/dT falls to 1e-5 before it vanishes
@@ -122,7 +125,8 @@ TEST(Reference, ScaledDeflation) {
   ASSERT_EQ(entries.size(), 6U);
   for (const auto& entry : entries) {
     const double T = entry.input("T");
-    EXPECT_NEAR(scaled_deflation(entry, T, 1e-13).at(T).stretch, entry.value, std::max(entry.error_bound, 1e-9)) << entry.inputs;
+    EXPECT_NEAR(scaled_deflation(entry, T, 1e-13).at(T).stretch, entry.value, std::max(entry.error_bound, 1e-9))
+        << entry.inputs;
   }
 }
 
@@ -134,7 +138,8 @@ TEST(Reference, EndOfScaledDeflation) {
     ASSERT_EQ(times[i].inputs, stretches[i].inputs);
     const auto trajectory = scaled_deflation(times[i], 1.01 * times[i].value, 1e-13);
     ASSERT_FALSE(trajectory.events.empty());
-    EXPECT_NEAR(trajectory.events.front().time, times[i].value, std::max(times[i].error_bound, 1e-9)) << times[i].inputs;
+    EXPECT_NEAR(trajectory.events.front().time, times[i].value, std::max(times[i].error_bound, 1e-9))
+        << times[i].inputs;
     EXPECT_NEAR(trajectory.events.front().stretch, stretches[i].value, std::max(stretches[i].error_bound, 1e-9));
   }
 }

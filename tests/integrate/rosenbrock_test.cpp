@@ -15,7 +15,9 @@ struct ProtheroRobinson {
   using State = Eigen::Matrix<double, 1, 1>;
   double lambda;
 
-  [[nodiscard]] State rate(double t, const State& y) const { return State(lambda * (y[0] - std::sin(t)) + std::cos(t)); }
+  [[nodiscard]] State rate(double t, const State& y) const {
+    return State(lambda * (y[0] - std::sin(t)) + std::cos(t));
+  }
   [[nodiscard]] Linearization<double, 1> linearize(double t, const State& y) const {
     return {rate(t, y), State(lambda), State(-lambda * std::cos(t) - std::sin(t))};
   }
@@ -65,7 +67,9 @@ TEST(Rodas5P, HasOrderFive) {
 TEST(Rodas5P, ErrorEstimateHasOrderFourPlusOne) {
   const Nonlinear flow;
   const Nonlinear::State start{1.0, 0.5};
-  const auto estimate = [&](int n) { return rosenbrock_step(flow, 0.2, start, flow.linearize(0.2, start), 1.0 / n).error.norm(); };
+  const auto estimate = [&](int n) {
+    return rosenbrock_step(flow, 0.2, start, flow.linearize(0.2, start), 1.0 / n).error.norm();
+  };
   EXPECT_NEAR(slope(estimate, 20), 5, 0.5);
 }
 
@@ -91,7 +95,8 @@ TEST(Rodas5P, DenseOutputIsOfOrderFour) {
   EXPECT_GT(slope(error, 16), 4.5);
 }
 
-// Order reduction: on a stiff problem the error falls like h^3/|lambda| only, which is still small because lambda is large.
+// Order reduction: on a stiff problem the error falls like h^3/|lambda| only, which is still small because lambda is
+// large.
 TEST(Rodas5P, LosesLittleOnStiffProblems) {
   const auto error = [](double lambda, int n) {
     const ProtheroRobinson flow{lambda};
@@ -103,10 +108,12 @@ TEST(Rodas5P, LosesLittleOnStiffProblems) {
   EXPECT_LT(error(-1e6, 8), 1e-2 * error(-1e3, 8));
 }
 
-// L-stability: an infinitely stiff component is gone after one step, not merely bounded. 1e-4 is |R(z)| ~ 1/|z| with room.
+// L-stability: an infinitely stiff component is gone after one step, not merely bounded. 1e-4 is |R(z)| ~ 1/|z| with
+// room.
 TEST(Rodas5P, DampsInfinitelyStiffComponents) {
   ProtheroRobinson flow{-1e8};
-  const auto step = rosenbrock_step(flow, 0.0, ProtheroRobinson::State(1.0), flow.linearize(0.0, ProtheroRobinson::State(1.0)), 1.0);
+  const auto step =
+      rosenbrock_step(flow, 0.0, ProtheroRobinson::State(1.0), flow.linearize(0.0, ProtheroRobinson::State(1.0)), 1.0);
   EXPECT_LT(std::abs(step.end[0] - std::sin(1.0)), 1e-4);
 }
 

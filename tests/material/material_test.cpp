@@ -89,9 +89,9 @@ TEST(Material, HasTheShearModulusOfItsConstants) {
 // Limits in which one material becomes another.
 TEST(Material, ReducesToNeoHookeanInItsLimits) {
   const Material<double> neo_hookean = NeoHookean<double>{4e5};
-  const std::vector<Material<double>> limits{Gent<double>{4e5, 1e12},          GentGent<double>{4e5, 1e12, 0.0},
-                                             Yeoh<double>{2e5, 0, 0},          Fung<double>{4e5, 1e-12},
-                                             Ogden<double>{{4e5}, {2.0}},      MooneyRivlin<double>{2e5, 0},
+  const std::vector<Material<double>> limits{Gent<double>{4e5, 1e12},      GentGent<double>{4e5, 1e12, 0.0},
+                                             Yeoh<double>{2e5, 0, 0},      Fung<double>{4e5, 1e-12},
+                                             Ogden<double>{{4e5}, {2.0}},  MooneyRivlin<double>{2e5, 0},
                                              ArrudaBoyce<double>{4e5, 1e6}};
   for (const double stretch : {0.8, 1.5, 3.0}) {
     const Jet<double> expected = strain_energy(neo_hookean, stretch);

@@ -32,12 +32,14 @@ TEST(Groups, ReproduceTheReferenceValues) {
       const auto p = paper_balloon<double>(entry.input("r_ch"), entry.input("L_ch"));
       const auto g = groups(p, {p.radius, entry.input("p_typ"), entry.input("t_typ")});
       // A handful of roundings; the reference's own bound is one.
-      EXPECT_NEAR(g.*member, entry.value, std::max(entry.error_bound, 1e-14 * std::abs(entry.value))) << name << entry.inputs;
+      EXPECT_NEAR(g.*member, entry.value, std::max(entry.error_bound, 1e-14 * std::abs(entry.value)))
+          << name << entry.inputs;
     }
   }
 }
 
-// (3.6a), (3.6b) and (3.7): the time constants of small motions about an equilibrium, from the oscillator's own functions.
+// (3.6a), (3.6b) and (3.7): the time constants of small motions about an equilibrium, from the oscillator's own
+// functions.
 TEST(TimeConstants, ReproduceTheReferenceValues) {
   const double pressure = 6000 * test::reference().at("P0_mean").front().value;
   const auto check = [&](const char* name, Model model, Regime regime) {
@@ -49,7 +51,8 @@ TEST(TimeConstants, ReproduceTheReferenceValues) {
       const Oscillator<double> oscillator(model, p, constant_pressure(pressure), si_scales(p));
       const auto c = oscillator.coefficients(regime, R);
       const double time = std::sqrt(c.mass / (c.elastic_slope - c.area_slope * pressure));
-      EXPECT_NEAR(time, entry.value, 1e-11 * entry.value) << name << entry.inputs;  // the stiffness is a small difference
+      EXPECT_NEAR(time, entry.value, 1e-11 * entry.value)
+          << name << entry.inputs;  // the stiffness is a small difference
     }
   };
   check("t_typ_deflation_nochannel[s]", Model::orifice, Regime::deflating);
@@ -65,7 +68,9 @@ TEST(TimeConstants, EachRegimeHasItsOwnClock) {
     EXPECT_NEAR(g.C3, entry.value, 1e-13 * entry.value);
     const char* size = entry.text("R_eq") == "small" ? "small" : "large";
     for (const auto& c1 : test::reference().at("C1_3.6a")) {
-      if (c1.text("R_eq") == size) { EXPECT_NEAR(g.C1, c1.value, 1e-12 * c1.value); }
+      if (c1.text("R_eq") == size) {
+        EXPECT_NEAR(g.C1, c1.value, 1e-12 * c1.value);
+      }
     }
   }
   for (const auto& entry : test::reference().at("C3_3.6b")) {
@@ -122,23 +127,24 @@ TEST_P(EveryOscillator, LinearizationIsTheDerivativeOfTheRate) {
     down[j] -= h;
     const OscillatorFlow<double>::State column = (flow.rate(t, up) - flow.rate(t, down)) / (2 * h);
     for (int i = 0; i < 2; ++i) {
-      EXPECT_NEAR(column[i], at.jacobian(i, j), 1e-7 * (at.jacobian.cwiseAbs().maxCoeff() + at.rate.cwiseAbs().maxCoeff()));
+      EXPECT_NEAR(column[i], at.jacobian(i, j),
+                  1e-7 * (at.jacobian.cwiseAbs().maxCoeff() + at.rate.cwiseAbs().maxCoeff()));
     }
   }
   const OscillatorFlow<double>::State in_time = (flow.rate(t + h, y) - flow.rate(t - h, y)) / (2 * h);
   EXPECT_NEAR(in_time[1], at.time_derivative[1], 1e-6 * std::abs(at.rate[1]));
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, EveryOscillator,
-                         testing::Values(Variant{Model::full, Regime::inflating}, Variant{Model::full, Regime::deflating},
-                                         Variant{Model::orifice, Regime::inflating}, Variant{Model::orifice, Regime::deflating},
-                                         Variant{Model::long_channel, Regime::inflating},
-                                         Variant{Model::long_channel, Regime::deflating}),
-                         [](const auto& test) {
-                           std::string name(name_of(test.param.model));
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name + (test.param.regime == Regime::inflating ? "_inflating" : "_deflating");
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Models, EveryOscillator,
+    testing::Values(Variant{Model::full, Regime::inflating}, Variant{Model::full, Regime::deflating},
+                    Variant{Model::orifice, Regime::inflating}, Variant{Model::orifice, Regime::deflating},
+                    Variant{Model::long_channel, Regime::inflating}, Variant{Model::long_channel, Regime::deflating}),
+    [](const auto& test) {
+      std::string name(name_of(test.param.model));
+      std::replace(name.begin(), name.end(), '-', '_');
+      return name + (test.param.regime == Regime::inflating ? "_inflating" : "_deflating");
+    });
 
 TEST(Scales, NaturalOnesAreTheDeflationClockAtRestAndTheGreatestPressure) {
   const auto p = paper_balloon<double>(0.03, 0.5);

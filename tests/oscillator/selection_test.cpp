@@ -18,10 +18,10 @@ TEST(Selection, ComparesEachDroppedTermWithTheOneThatIsKept) {
   ASSERT_EQ(terms.size(), 4U);
   const double m = 223 / (32 * std::numbers::pi);
   const double n = 75 / (4 * std::numbers::pi) * 27000;
-  EXPECT_NEAR(terms[0].ratio, 1.0 / 3000 / 100, 1e-15);          // solid, inflating: greatest at R = 1
-  EXPECT_NEAR(terms[1].ratio, 1.0 / 3000 / 100, 1e-15);          // solid, deflating
-  EXPECT_NEAR(terms[2].ratio, m / 100, 1e-12);                   // balloon liquid, any R
-  EXPECT_NEAR(terms[3].ratio, 200 / n, 1e-12);                   // channel centripetal, greatest at R = 1
+  EXPECT_NEAR(terms[0].ratio, 1.0 / 3000 / 100, 1e-15);  // solid, inflating: greatest at R = 1
+  EXPECT_NEAR(terms[1].ratio, 1.0 / 3000 / 100, 1e-15);  // solid, deflating
+  EXPECT_NEAR(terms[2].ratio, m / 100, 1e-12);           // balloon liquid, any R
+  EXPECT_NEAR(terms[3].ratio, 200 / n, 1e-12);           // channel centripetal, greatest at R = 1
   EXPECT_TRUE(dropped_terms(Model::full, groups_of(0.01, 0.5), 1.0, 2.0).empty());
 }
 

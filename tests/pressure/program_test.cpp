@@ -8,7 +8,12 @@ namespace turgor {
 namespace {
 
 PressureProgram<double> sample_program() {
-  return SegmentList<double>(100).hold(1).step(500).ramp(2000, 2, RampShape::smooth).ramp(0, 4, RampShape::linear).build();
+  return SegmentList<double>(100)
+      .hold(1)
+      .step(500)
+      .ramp(2000, 2, RampShape::smooth)
+      .ramp(0, 4, RampShape::linear)
+      .build();
 }
 
 TEST(PressureProgram, FollowsItsSegments) {
@@ -67,7 +72,7 @@ TEST(PressureProgram, TablesPassThroughTheirPointsAndDoNotOvershoot) {
         EXPECT_LE(value, std::max(p[i], p[i + 1]) + 1e-9);
       }
     }
-    EXPECT_EQ(program(0), 0);     // constant before the first point
+    EXPECT_EQ(program(0), 0);       // constant before the first point
     EXPECT_EQ(program(100), -380);  // and after the last
   }
 }

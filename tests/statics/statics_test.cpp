@@ -71,18 +71,34 @@ TEST(Statics, NeoHookeanBalloonHasItsMaximumAtTheSixthRootOfSeven) {
 
 TEST(Statics, StaticPressureIsTheSlopeOfTheEnergyPerVolume) {
   auto p = balloon_with(10, 1);
-  for (const Material<double>& material : {Material<double>(Gent<double>{4e5, 30}), p.material,
-                                           Material<double>(ArrudaBoyce<double>{3e5, 4})}) {
+  for (const Material<double>& material :
+       {Material<double>(Gent<double>{4e5, 30}), p.material, Material<double>(ArrudaBoyce<double>{3e5, 4})}) {
     p.material = material;
     for (const double R : {0.7, 1.2, 2.5}) {
       const double h = 1e-5;
-      const auto energy = [&](double x) { return 4 * std::numbers::pi * p.radius * p.radius * p.thickness * strain_energy(material, x).value; };
+      const auto energy = [&](double x) {
+        return 4 * std::numbers::pi * p.radius * p.radius * p.thickness * strain_energy(material, x).value;
+      };
       const auto volume = [&](double x) { return 4 * std::numbers::pi / 3 * std::pow(p.radius * x, 3); };
       const double expected = (energy(R + h) - energy(R - h)) / (volume(R + h) - volume(R - h));
       EXPECT_NEAR(static_pressure(p, R).value, expected, 1e-8 * std::abs(expected));  // O(h^2)
       const double slope = (static_pressure(p, R + h).value - static_pressure(p, R - h).value) / (2 * h);
       EXPECT_NEAR(static_pressure(p, R).slope, slope, 1e-7 * (std::abs(slope) + std::abs(expected)));
     }
+  }
+}
+
+// Chains lock in compression too, where I1 - 3 = jm with R < 1: nothing beyond that is an equilibrium.
+TEST(Statics, LockingMaterialsHaveNoSpuriousEquilibria) {
+  auto p = balloon_with(10, 1);
+  for (const Material<double>& material :
+       {Material<double>(Gent<double>{4e5, 30}), Material<double>(Fung<double>{5e4, 0.8}),
+        Material<double>(Fung<double>{5e4, 50})}) {
+    p.material = material;
+    const double pressure = static_pressure(p, 1.15).value;
+    const auto states = equilibria(p, pressure);
+    ASSERT_FALSE(states.empty());
+    EXPECT_NEAR(states.front().stretch, 1.15, 1e-12);
   }
 }
 

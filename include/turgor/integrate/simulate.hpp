@@ -11,13 +11,13 @@ namespace turgor {
 /// How to integrate, and when to stop.
 template <class T>
 struct SimulationOptions {
-  T rtol = T(1e-9);             ///< local error per step relative to R and to dR/dT
-  T atol = T(1e-9);             ///< local error per step, absolute, in the dimensionless variables
-  long max_events = 0;          ///< stop after that many regime changes; 0: no limit
-  T rest_tol = T(0);            ///< stop at an event this close (in R) to a stable equilibrium; 0: never
-  T max_stretch = T(0);         ///< stretch at which the wall bursts; 0: never
-  T runaway_stretch = T(1000);  ///< stretch beyond which the balloon counts as running away; no elastomer reaches it
-  long max_steps = 5'000'000;   ///< bounds memory: a step takes about 130 bytes
+  T rtol = T(1e-9);                        ///< local error per step relative to R and to dR/dT
+  T atol = T(1e-9);                        ///< local error per step, absolute, in the dimensionless variables
+  long max_events = 0;                     ///< stop after that many regime changes; 0: no limit
+  T rest_tol = T(0);                       ///< stop at an event this close (in R) to a stable equilibrium; 0: never
+  T max_stretch = T(0);                    ///< stretch at which the wall bursts; 0: never
+  T runaway_stretch = T(largest_stretch);  ///< stretch beyond which the balloon counts as running away
+  long max_steps = 5'000'000;              ///< bounds memory: a step takes about 130 bytes
   /// Called after every step with the time reached; returning false ends the run as `interrupted`.
   std::function<bool(const T&)> keep_going;
 };

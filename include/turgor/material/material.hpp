@@ -46,6 +46,10 @@ template <class T>
       material);
 }
 
+/// No elastomer stretches this far (natural rubber breaks near 8): beyond it a balloon counts as running away, and no
+/// equilibria are sought there.
+inline constexpr double largest_stretch = 100.0;
+
 /// One constant of a material, as a case file names it.
 struct MaterialConstant {
   std::string_view key;

@@ -1,0 +1,108 @@
+#include "turgor/case/case.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../support/program.hpp"
+#include "turgor/base/errors.hpp"
+#include "turgor/statics/statics.hpp"
+
+namespace turgor {
+namespace {
+
+std::vector<std::filesystem::path> shipped_cases() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(TURGOR_CASES)) {
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+const std::filesystem::path paper_case = std::filesystem::path(TURGOR_CASES) / "orifice-30mm.toml";
+
+TEST(Case, IsReadInSiUnits) {
+  const Case c = read_case(paper_case);
+  EXPECT_EQ(c.title, "Water balloon through a 3 cm orifice");
+  EXPECT_DOUBLE_EQ(c.parameters.radius, 0.3);
+  EXPECT_DOUBLE_EQ(c.parameters.thickness, 0.003);
+  EXPECT_DOUBLE_EQ(std::get<MooneyRivlin<double>>(c.parameters.material).s1, 1.5e6);
+  EXPECT_DOUBLE_EQ(c.parameters.fluid_viscosity, 8.94e-4);
+  EXPECT_EQ(c.model, Model::orifice);
+  EXPECT_EQ(c.parameters.closure, Closure::corrected);
+  EXPECT_DOUBLE_EQ(c.pressure(1.0), 18e3);
+  EXPECT_EQ(c.solve.atol, c.solve.rtol);  // atol defaults to rtol
+  EXPECT_EQ(c.source, test::contents(paper_case));
+}
+
+TEST(Case, OverridesReplaceAnyKey) {
+  const Case c = read_case(paper_case, {"inlet.orifice_radius=2 cm", "solve.rtol=1e-6", "model.name=full", "initial.stretch = equilibrium",
+                                        "pressure.segments[0].to=30 kPa", "material.max_stretch=3", "title=An override"});
+  EXPECT_DOUBLE_EQ(c.parameters.orifice_radius, 0.02);
+  EXPECT_EQ(c.solve.rtol, 1e-6);
+  EXPECT_EQ(c.solve.atol, 1e-6);
+  EXPECT_EQ(c.model, Model::full);
+  EXPECT_EQ(c.stretch, 1.0);
+  EXPECT_DOUBLE_EQ(c.pressure(3.0), 30e3);
+  EXPECT_EQ(c.max_stretch, 3);
+  EXPECT_EQ(c.title, "An override");
+}
+
+TEST(Case, LowestStableEquilibriumCanBeTheStart) {
+  const Case c = read_case(paper_case, {"pressure.start=20 kPa", "initial.stretch=equilibrium"});
+  EXPECT_EQ(c.stretch, equilibria(c.parameters, 20e3).front().stretch);
+}
+
+// A list of segments starts at 0 Pa, ramps are straight unless they say otherwise, and the last value holds.
+TEST(Case, SegmentsHaveTheirDefaults) {
+  const std::string text = test::contents(paper_case);
+  const Case c = parse_case(text, paper_case, {"pressure.segments=[{ to = \"10 kPa\", over = \"2 s\" }, { step = \"4 kPa\" }, { hold = \"1 s\" }]"});
+  EXPECT_DOUBLE_EQ(c.pressure(0.5), 2500);
+  EXPECT_EQ(c.pressure(2.0), 4e3);
+  EXPECT_EQ(c.pressure(50.0), 4e3);
+}
+
+class ShippedCase : public testing::TestWithParam<std::filesystem::path> {};
+
+// The resolved case is complete and means the same to the last bit, also from another folder.
+TEST_P(ShippedCase, ResolvesToItself) {
+  const Case c = read_case(GetParam());
+  const Case again = parse_case(c.resolved, "/elsewhere/case.toml");
+  EXPECT_EQ(again.resolved, c.resolved);
+  EXPECT_EQ(again.stretch, c.stretch);
+  EXPECT_EQ(again.scales.time, c.scales.time);
+  for (double t = 0; t < c.solve.t_end; t += c.solve.t_end / 37) EXPECT_EQ(again.pressure(t), c.pressure(t));
+  EXPECT_FALSE(c.title.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShippedCase, testing::ValuesIn(shipped_cases()), [](const auto& test) {
+  std::string name = test.param.stem().string();
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+// One case for each material, so that each runs from file to picture.
+TEST(ShippedCases, CoverEveryMaterial) {
+  for (const auto& entry : catalogue()) {
+    bool found = false;
+    for (const auto& file : shipped_cases()) found = found || read_case(file).material_name == entry.name;
+    EXPECT_TRUE(found) << "no case for " << entry.name;
+  }
+}
+
+TEST(Schema, EveryKeyExplainsItself) {
+  for (const Key& key : case_schema().keys()) {
+    EXPECT_FALSE(key.meaning.empty()) << key.path;
+    EXPECT_FALSE(key.required && !key.fallback.empty()) << key.path << " is required and has a default";
+  }
+}
+
+TEST(Schema, SuggestsTheNearestKey) {
+  const Schema& schema = case_schema();
+  EXPECT_EQ(schema.nearest("inlet.radius", "gent"), "inlet.orifice_radius");
+  EXPECT_EQ(schema.nearest("solve.tend", "gent"), "solve.t_end");
+  EXPECT_EQ(schema.nearest("material.jn", "gent"), "material.jm");
+  EXPECT_EQ(schema.nearest("balloon.colour_of_the_ribbon", "gent"), "");
+}
+
+}  // namespace
+}  // namespace turgor

@@ -1,0 +1,267 @@
+// Every mistake a person can make in a case file or on the command line gets one clear message and exit code 2.
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "../support/program.hpp"
+
+namespace turgor {
+namespace {
+
+using test::Folder;
+using test::turgor;
+
+const std::string good_case = R"(title = "A good case"
+[balloon]
+radius = "30 cm"
+thickness = "3 mm"
+density = "1000 kg/m^3"
+[material]
+model = "mooney-rivlin"
+s1 = "1.5 MPa"
+s2 = "0.15 MPa"
+[fluid]
+density = "1000 kg/m^3"
+viscosity = "8.94e-4 Pa s"
+[inlet]
+orifice_radius = "3 cm"
+channel_length = "0 cm"
+[pressure]
+segments = [ { to = "36 kPa", over = "2 s", shape = "smooth" }, { hold = "2 s" } ]
+[initial]
+stretch = 1.0
+[model]
+name = "orifice"
+[solve]
+t_end = "6 s"
+samples = 20
+)";
+
+/// One mistake: the text that replaces part of the good case, and what the message must say.
+struct Mistake {
+  std::string name;
+  std::string from;
+  std::string to;
+  std::vector<std::string> says;
+};
+
+std::string replaced(const std::string& from, const std::string& to) {
+  std::string text = good_case;
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << "the good case no longer holds: " << from;
+  if (at != std::string::npos) text.replace(at, from.size(), to);
+  return text;
+}
+
+class BadCase : public testing::TestWithParam<Mistake> {};
+
+TEST_P(BadCase, IsExplained) {
+  const Mistake& mistake = GetParam();
+  const Folder folder;
+  const std::string text = replaced(mistake.from, mistake.to);
+  test::write(folder / "case.toml", text);
+  const auto validated = turgor(folder, {"validate", "case.toml"});
+  EXPECT_EQ(validated.code, 2) << validated.out << validated.err;
+  EXPECT_EQ(validated.out, "");
+  for (const auto& words : mistake.says) EXPECT_NE(validated.err.find(words), std::string::npos) << "no \"" << words << "\" in:\n" << validated.err;
+  EXPECT_NE(validated.err.find("case.toml"), std::string::npos) << validated.err;
+
+  const auto run = turgor(folder, {"run", "case.toml", "-o", "result"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_EQ(run.err, validated.err);
+  EXPECT_FALSE(std::filesystem::exists(folder / "result"));
+
+  const auto json = turgor(folder, {"run", "case.toml", "-o", "result", "--json"});
+  EXPECT_EQ(json.code, 2);
+  const auto document = nlohmann::json::parse(json.out);
+  EXPECT_EQ(document.at("status"), "bad-input");
+  EXPECT_FALSE(document.at("issues").empty());
+}
+
+const std::vector<Mistake> mistakes{
+    {"UnknownKey", "orifice_radius =", "orifice_radios =", {"case.toml:14", "orifice_radios", "unknown key", "did you mean inlet.orifice_radius", "inlet.orifice_radius: missing"}},
+    {"UnknownTable", "[fluid]", "[liquid]", {"liquid: unknown key", "did you mean fluid", "fluid.density: missing"}},
+    {"UnknownTopLevelKey", "title =", "titel =", {"case.toml:1", "titel", "did you mean title"}},
+    {"MissingKey", "thickness = \"3 mm\"\n", "", {"balloon.thickness: missing", "wall thickness"}},
+    {"MissingUnit", "\"30 cm\"", "\"30\"", {"case.toml:3", "balloon.radius = \"30\"", "missing unit", "cm"}},
+    {"NumberInsteadOfQuantity", "\"30 cm\"", "0.3", {"case.toml:3", "balloon.radius = 0.3", "missing unit"}},
+    {"QuantityInsteadOfNumber", "stretch = 1.0", "stretch = \"1 m\"", {"case.toml:19", "not a plain number"}},
+    {"NoNumber", "\"30 cm\"", "\"cm\"", {"does not start with a number"}},
+    {"EmptyString", "\"30 cm\"", "\"\"", {"does not start with a number"}},
+    {"WrongDimension", "\"30 cm\"", "\"30 kPa\"", {"case.toml:3", "\"kPa\" has the wrong dimension", "cm"}},
+    {"ReciprocalDimension", "t_end = \"6 s\"", "t_end = \"6 Hz\"", {"case.toml:23", "\"Hz\" has the wrong dimension"}},
+    {"UnknownUnit", "\"30 cm\"", "\"30 cmm\"", {"case.toml:3", "unknown unit \"cmm\""}},
+    {"OffsetUnit", "\"30 cm\"", "\"30 degC\"", {"wrong dimension"}},
+    {"NegativeSize", "\"30 cm\"", "\"-30 cm\"", {"case.toml:3", "out of range", "> 0 m"}},
+    {"ZeroSize", "\"3 mm\"", "\"0 mm\"", {"balloon.thickness", "out of range", "> 0 m"}},
+    {"ZeroOrifice", "\"3 cm\"", "\"0 cm\"", {"inlet.orifice_radius", "> 0 m"}},
+    {"NegativeChannel", "channel_length = \"0 cm\"", "channel_length = \"-1 cm\"", {"inlet.channel_length", ">= 0 m"}},
+    {"OrificeLargerThanBalloon", "\"3 cm\"", "\"31 cm\"", {"case.toml:14", "larger than the balloon", "0.3 m"}},
+    {"WallThickerThanBalloon", "\"3 mm\"", "\"30 cm\"", {"as thick as the balloon"}},
+    {"CompressedBelowOrifice", "stretch = 1.0", "stretch = 0.05", {"less than its orifice"}},
+    {"NotANumber", "stretch = 1.0", "stretch = nan", {"case.toml:19", "initial.stretch", "not a finite number"}},
+    {"Infinite", "\"30 cm\"", "\"inf cm\"", {"not a finite number"}},
+    {"NanQuantity", "\"30 cm\"", "\"nan cm\"", {"not a finite number"}},
+    {"Overflow", "\"30 cm\"", "\"1e999 cm\"", {"not a finite number"}},
+    {"ZeroStretch", "stretch = 1.0", "stretch = 0", {"initial.stretch", "out of range"}},
+    {"UnknownWordForStretch", "stretch = 1.0", "stretch = \"equlibrium\"", {"equilibrium"}},
+    {"NoStableEquilibrium", "[pressure]\nsegments = [ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]\n[initial]\nstretch = 1.0",
+     "[pressure]\nconstant = \"-1e30 Pa\"\n[initial]\nstretch = \"equilibrium\"", {"no stable equilibrium"}},
+    {"EmptySegments", "[ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]", "[]", {"pressure.segments", "is empty"}},
+    {"SegmentWithoutKind", "{ hold = \"2 s\" }", "{ over = \"2 s\" }", {"pressure.segments[1]", "says neither hold, step nor to"}},
+    {"SegmentWithTwoKinds", "{ hold = \"2 s\" }", "{ hold = \"2 s\", step = \"1 Pa\" }", {"more than one of hold, step and to"}},
+    {"SegmentWithoutDuration", "over = \"2 s\", ", "", {"says to but not over"}},
+    {"SegmentWithZeroDuration", "{ hold = \"2 s\" }", "{ hold = \"0 s\" }", {"pressure.segments[1].hold", "> 0 s"}},
+    {"UnknownShape", "\"smooth\"", "\"smoth\"", {"unknown name", "\"linear\", \"smooth\""}},
+    {"UnknownSegmentKey", "{ hold = \"2 s\" }", "{ hold = \"2 s\", shpe = \"linear\" }", {"shpe", "did you mean pressure.segments[].shape"}},
+    {"SegmentsNoList", "[ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]", "\"36 kPa\"", {"not a list of tables"}},
+    {"SegmentNoTable", "{ hold = \"2 s\" }", "\"2 s\"", {"pressure.segments[1]", "not a table"}},
+    {"TwoPrograms", "[pressure]\n", "[pressure]\nconstant = \"1 kPa\"\n", {"more than one pressure program", "constant and segments"}},
+    {"NoProgram", "segments = [ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]", "", {"no pressure program"}},
+    {"EmptyTable", "segments = [ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]",
+     "table = { t = [], p = [] }", {"pressure.table.t", "is empty"}},
+    {"UnsortedTable", "segments = [ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]",
+     "table = { t = [\"0 s\", \"2 s\", \"1 s\"], p = [\"0 Pa\", \"1 Pa\", \"2 Pa\"] }", {"case.toml:17", "times must increase"}},
+    {"RaggedTable", "segments = [ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]",
+     "table = { t = [\"0 s\", \"2 s\"], p = [\"0 Pa\"] }", {"differ in length"}},
+    {"MissingTableFile", "segments = [ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]",
+     "table = { file = \"none.csv\" }", {"none.csv", "cannot be read"}},
+    {"NegativeEnd", "t_end = \"6 s\"", "t_end = \"-6 s\"", {"solve.t_end", "> 0 s"}},
+    {"ZeroEnd", "t_end = \"6 s\"", "t_end = \"0 s\"", {"solve.t_end", "> 0 s"}},
+    {"TooTight", "samples = 20", "samples = 20\nrtol = 1e-15", {"solve.rtol", "from 1e-13 to 0.01"}},
+    {"TooLoose", "samples = 20", "samples = 20\nrtol = 0.5", {"solve.rtol", "from 1e-13 to 0.01"}},
+    {"AbsurdSamples", "samples = 20", "samples = 1000000000000", {"solve.samples", "from 2 to 1e+07"}},
+    {"OneSample", "samples = 20", "samples = 1", {"solve.samples", "from 2"}},
+    {"FractionalSamples", "samples = 20", "samples = 20.5", {"solve.samples", "not an integer"}},
+    {"SamplesAndTimes", "samples = 20", "samples = 20\ntimes = [\"1 s\"]", {"solve.samples", "solve.times", "one of them"}},
+    {"TimesNotIncreasing", "samples = 20", "times = [\"2 s\", \"1 s\"]", {"times must increase"}},
+    {"TimesTooLate", "samples = 20", "times = [\"2 s\", \"7 s\"]", {"later than solve.t_end"}},
+    {"EmptyTimes", "samples = 20", "times = []", {"solve.times", "is empty"}},
+    {"WrongType", "[balloon]\nradius", "[balloon]\nradius = [1]\n#", {"balloon.radius", "a list"}},
+    {"TableForValue", "name = \"orifice\"", "name = { full = true }", {"model.name", "a table, not a string"}},
+    {"ValueForTable", "[initial]\nstretch = 1.0", "[model]\n", {"case.toml"}},
+    {"DateForQuantity", "\"30 cm\"", "2026-01-01", {"a date or time"}},
+    {"UnknownModel", "name = \"orifice\"", "name = \"orifise\"", {"case.toml:21", "unknown name", "\"long-channel\""}},
+    {"UnknownClosure", "name = \"orifice\"", "name = \"orifice\"\nclosure = \"exact\"", {"model.closure", "\"theoretical\""}},
+    {"UnknownMaterial", "mooney-rivlin", "mooney", {"material.model", "unknown name", "mooney-rivlin"}},
+    {"KeyOfAnotherMaterial", "s2 = \"0.15 MPa\"", "s2 = \"0.15 MPa\"\njm = 3.0", {"material.jm", "not a key of this material", "gent"}},
+    {"UnstableMaterial", "\"1.5 MPa\"", "\"-1.5 MPa\"", {"unstable"}},
+    {"BurstBeforeStart", "s2 = \"0.15 MPa\"", "s2 = \"0.15 MPa\"\nmax_stretch = 0.5", {"material.max_stretch", "above 1"}},
+    {"LongChannelWithoutChannel", "name = \"orifice\"", "name = \"long-channel\"", {"case.toml:21", "there is no channel"}},
+    {"OrificeWithChannel", "channel_length = \"0 cm\"", "channel_length = \"50 cm\"", {"case.toml:21", "there is a channel"}},
+    {"UnknownOutputUnit", "[solve]", "[output]\npressure_unit = \"parsec\"\n[solve]", {"output.pressure_unit", "wrong dimension"}},
+    {"UnknownQuantity", "[solve]", "[expect]\npeak = { value = 1.0, tolerance = 0.1 }\n[solve]", {"expect.peak", "did you mean expect.peak_"}},
+    {"ExpectationWithoutTolerance", "[solve]", "[expect]\npeak_stretch = { value = 1.0 }\n[solve]", {"expect.peak_stretch.tolerance: missing"}},
+    {"NotToml", "[balloon]", "[balloon", {"case.toml:2", "not valid TOML"}},
+    {"KeyTwice", "radius = \"30 cm\"", "radius = \"30 cm\"\nradius = \"31 cm\"", {"case.toml:4", "not valid TOML"}},
+};
+
+INSTANTIATE_TEST_SUITE_P(Mistakes, BadCase, testing::ValuesIn(mistakes), [](const auto& test) { return test.param.name; });
+
+TEST(BadInput, AllIssuesOfAFileAreReportedAtOnce) {
+  const Folder folder;
+  std::string text = replaced("\"30 cm\"", "\"-30 cm\"");
+  text.replace(text.find("\"3 mm\""), 6, "3");
+  text.replace(text.find("\"orifice\""), 9, "\"hole\"");
+  test::write(folder / "case.toml", text);
+  const auto result = turgor(folder, {"validate", "case.toml"});
+  EXPECT_EQ(result.code, 2);
+  for (const char* key : {"balloon.radius", "balloon.thickness", "model.name"}) EXPECT_NE(result.err.find(key), std::string::npos);
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 3);
+}
+
+TEST(BadInput, UnreadableFiles) {
+  const Folder folder;
+  for (const char* command : {"run", "info", "validate"}) {
+    const auto missing = turgor(folder, {command, "none.toml"});
+    EXPECT_EQ(missing.code, 2);
+    EXPECT_NE(missing.err.find("none.toml"), std::string::npos);
+    EXPECT_EQ(turgor(folder, {command, "."}).code, 2);
+  }
+}
+
+TEST(BadInput, OddBytesAreNoCrash) {
+  const Folder folder;
+  for (const std::string& bytes : {std::string("\xff\xfe\x00\x01", 4), std::string("a = \"\xc3\x28\""), std::string("\0", 1),
+                                   std::string("[[[[[["), std::string("x = " + std::string(5000, '['))}) {
+    test::write(folder / "case.toml", bytes);
+    EXPECT_EQ(turgor(folder, {"validate", "case.toml"}).code, 2);
+  }
+}
+
+TEST(BadInput, CsvTables) {
+  const Folder folder;
+  test::write(folder / "case.toml", replaced("segments = [ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]",
+                                             "table = { file = \"p.csv\" }"));
+  const auto message = [&](const std::string& csv) {
+    test::write(folder / "p.csv", csv);
+    const auto result = turgor(folder, {"validate", "case.toml"});
+    EXPECT_EQ(result.code, csv.starts_with("t [ms],p [mmHg]\n0,0\n100,20") ? 0 : 2) << result.err;
+    return result.err;
+  };
+  EXPECT_EQ(message("t [ms],p [mmHg]\n0,0\n100,20\n"), "");
+  EXPECT_NE(message("").find("no rows"), std::string::npos);
+  EXPECT_NE(message("t,p\n0,0\n1,1\n").find("has no unit"), std::string::npos);
+  EXPECT_NE(message("t [s],p [m]\n0,0\n1,1\n").find("wrong dimension"), std::string::npos);
+  EXPECT_NE(message("t [s],p [Pa]\n0,0\n1\n").find("row 3"), std::string::npos);
+  EXPECT_NE(message("t [s],p [Pa]\n0,0\n1,x\n").find("\"x\" is not a finite number"), std::string::npos);
+  EXPECT_NE(message("t [s],p [Pa]\n0,0\n1,nan\n").find("not a finite number"), std::string::npos);
+  EXPECT_NE(message("t [s],p [Pa]\n1,0\n0,1\n").find("increase"), std::string::npos);
+  EXPECT_NE(message("t [s],p [Pa]\n0,0\n").find("at least two rows"), std::string::npos);
+}
+
+TEST(BadInput, Overrides) {
+  const Folder folder;
+  test::write(folder / "case.toml", good_case);
+  const auto message = [&](const std::string& assignment) {
+    const auto result = turgor(folder, {"validate", "case.toml", "--set", assignment});
+    EXPECT_EQ(result.code, 2) << assignment;
+    EXPECT_NE(result.err.find("--set"), std::string::npos) << result.err;
+    return result.err;
+  };
+  EXPECT_NE(message("inlet.orifice_radius").find("no equals sign"), std::string::npos);
+  EXPECT_NE(message("=3").find("no key"), std::string::npos);
+  EXPECT_NE(message("inlet.orifice_radios=2 cm").find("did you mean"), std::string::npos);
+  EXPECT_NE(message("inlet.orifice_radius=2").find("missing unit"), std::string::npos);
+  EXPECT_NE(message("pressure.segments[7].to=2 kPa").find("has no element [7]"), std::string::npos);
+  EXPECT_NE(message("pressure.segments[x].to=2 kPa").find("index"), std::string::npos);
+  EXPECT_NE(message("title.more=2").find("runs through a string"), std::string::npos);
+}
+
+TEST(BadInput, RunDirectories) {
+  const Folder folder;
+  test::write(folder / "case.toml", good_case);
+  const std::vector<std::string> run{"run", "case.toml", "-q", "--no-pictures", "-o"};
+  const auto into = [&](const std::string& directory, const std::string& extra = "--no-pictures") {
+    auto arguments = run;
+    arguments.push_back(directory);
+    if (extra != "--no-pictures") arguments.push_back(extra);
+    return turgor(folder, arguments);
+  };
+  EXPECT_EQ(into("result").code, 0);
+  const auto again = into("result");
+  EXPECT_EQ(again.code, 2);
+  EXPECT_NE(again.err.find("exists already"), std::string::npos);
+  EXPECT_NE(again.err.find("--force"), std::string::npos);
+  EXPECT_EQ(into("result", "--force").code, 0);
+
+  test::write(folder / "file", "");
+  EXPECT_NE(into("file").err.find("is a file"), std::string::npos);
+  EXPECT_EQ(into("file/below").code, 2);
+  EXPECT_EQ(into("/proc/turgor").code, 2);
+  EXPECT_NE(into("/proc/turgor").err.find("cannot be created"), std::string::npos);
+}
+
+TEST(BadInput, CommandLines) {
+  const Folder folder;
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{}, {"simulate"}, {"run"}, {"run", "a", "b"}, {"run", "a", "--fast"}, {"doc", "tables"}}) {
+    const auto result = turgor(folder, arguments);
+    EXPECT_EQ(result.code, 2);
+    EXPECT_NE(result.err, "");
+  }
+}
+
+}  // namespace
+}  // namespace turgor

@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# Installs the build into a fresh prefix and builds the example consumer against it.
+set -euo pipefail
+build=$1 source=$2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cmake --install "$build" --prefix "$work/prefix" >/dev/null
+cmake -S "$source/examples/consumer" -B "$work/consumer" -G Ninja -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_BUILD_TYPE=Release "${@:3}" >/dev/null
+cmake --build "$work/consumer"
+"$work/consumer/consumer" "$work/prefix/share/turgor/cases/channel-30mm.toml" | tee "$work/out"
+grep -q 'events' "$work/out"
+"$work/prefix/bin/turgor" validate "$work/prefix/share/turgor/cases/channel-30mm.toml"
+test -s "$work/prefix/share/man/man1/turgor.1"

@@ -1,0 +1,150 @@
+// What a run makes of a trajectory: quantities of interest, energies, rows, curves, warnings.
+
+#include "turgor/run/run_case.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../support/program.hpp"
+#include "turgor/run/report.hpp"
+#include "view/curves.hpp"
+
+namespace turgor {
+namespace {
+
+Case paper_case(const std::vector<std::string>& overrides = {}, const std::string& name = "orifice-30mm") {
+  return read_case(std::filesystem::path(TURGOR_CASES) / (name + ".toml"), overrides);
+}
+
+bool warns(const RunResult& result, const std::string& name) {
+  return std::any_of(result.warnings.begin(), result.warnings.end(), [&](const Warning& w) { return w.name == name; });
+}
+
+// 5e-8: some thousand steps of local error 1e-9 each, of random sign.
+TEST(Energy, BalanceClosesToTheTolerance) {
+  for (const char* name : {"orifice-30mm", "channel-30mm", "material-gent", "material-fung"}) {
+    const RunResult result = run_case(paper_case({}, name));
+    EXPECT_LT(*result.quantity("energy_error"), 5e-8) << name;
+    EXPECT_GT(*result.quantity("dissipated"), 0) << name;
+    const double loose = *run_case(paper_case({"solve.rtol=1e-5"}, name)).quantity("energy_error");
+    EXPECT_LT(loose, 1e-3) << name;
+  }
+}
+
+// p dV by the volume that the program reports itself. The model works on 4 pi r^2, which differs from the (2.1) that volumes
+// follow by eps^2/4 = 6e-6; trapezoidal sums over 20001 rows add less.
+TEST(Energy, InletWorkIsPressureTimesVolume) {
+  const Case c = paper_case({"solve.samples=20001"}, "channel-30mm");
+  const RunResult result = run_case(c);
+  double work = 0;
+  PhysicalState before{};
+  bool first = true;
+  for (const RowTime& row : row_times(c, result)) {
+    const PhysicalState state = physical_state(*result.oscillator, *result.trajectory, row.scaled);
+    if (!first) work += (state.gauge_pressure + before.gauge_pressure) / 2 * (state.volume - before.volume);
+    before = state;
+    first = false;
+  }
+  EXPECT_NEAR(work, *result.quantity("inlet_work"), 1e-5 * work);
+}
+
+// The flow rate is the rate of change of the volume, (2.1): central differences, O(h^2).
+TEST(PhysicalState, FlowRateIsTheRateOfVolume) {
+  const RunResult result = run_case(paper_case({"solve.rtol=1e-12"}, "channel-30mm"));
+  const auto& o = *result.oscillator;
+  for (const double T : {3.0, 11.0, 60.0}) {
+    const double h = 1e-4;
+    const double difference = (physical_state(o, *result.trajectory, T + h).volume - physical_state(o, *result.trajectory, T - h).volume) /
+                              (2 * h * o.scales().time);
+    const double flow = physical_state(o, *result.trajectory, T).flow_rate;
+    EXPECT_NEAR(flow, difference, 1e-6 * std::abs(flow) + 1e-12);
+  }
+}
+
+TEST(Quantities, AreTakenFromDenseOutputAndEvents) {
+  const RunResult result = run_case(paper_case({"solve.samples=2"}));
+  // The first turning point of the forced balloon, from the reference values (event_R_forced, event_time_forced).
+  EXPECT_NEAR(*result.quantity("peak_stretch"), 1.174653081327853, 1e-9);
+  EXPECT_NEAR(*result.quantity("first_event_time"), 1.9945249, 2e-6);
+  EXPECT_EQ(*result.quantity("events"), 315);
+  const double rise = *result.quantity("rise_time");
+  EXPECT_GT(rise, 0.9);  // the smooth ramp itself goes from 10 % to 90 % in 1.01 s
+  EXPECT_LT(rise, 1.1);
+  EXPECT_GT(*result.quantity("fall_time"), 3);
+
+  const RunResult still = run_case(paper_case({"pressure.segments=[{ hold = \"1 s\" }]"}));
+  EXPECT_FALSE(still.quantity("rise_time"));
+  EXPECT_FALSE(still.quantity("fall_time"));
+  EXPECT_FALSE(still.quantity("first_event_time"));
+  EXPECT_EQ(*still.quantity("peak_stretch"), 1.0);
+}
+
+TEST(ModelChoice, AutoTakesTheSimplestModelThatIsGoodEnough) {
+  const auto chosen = [](const std::vector<std::string>& overrides, const char* name) {
+    auto all = overrides;
+    all.emplace_back("model.name=auto");
+    return run_case(paper_case(all, name));
+  };
+  EXPECT_EQ(chosen({}, "orifice-30mm").choice.model, Model::orifice);
+  EXPECT_EQ(chosen({}, "channel-10mm").choice.model, Model::long_channel);
+  EXPECT_EQ(chosen({}, "channel-30mm").choice.model, Model::full);  // balloon liquid 6.7 % of the channel's inertia
+  EXPECT_EQ(chosen({"model.auto_tolerance=0.1"}, "channel-30mm").choice.model, Model::long_channel);
+  const RunResult automatic = chosen({}, "orifice-30mm");
+  const RunResult direct = run_case(paper_case());
+  EXPECT_EQ(automatic.trajectory->last.stretch, direct.trajectory->last.stretch);
+}
+
+TEST(Warnings, NameWhatIsStrained) {
+  EXPECT_TRUE(run_case(paper_case({"inlet.orifice_radius=1 cm"})).warnings.empty());
+  EXPECT_TRUE(warns(run_case(paper_case({"balloon.thickness=5 cm"})), "thin-wall"));
+  EXPECT_TRUE(warns(run_case(paper_case({"inlet.orifice_radius=6 cm"})), "orifice-large"));
+  EXPECT_TRUE(warns(run_case(paper_case({"inlet.orifice_radius=1 mm", "solve.t_end=5 s"})), "orifice-small"));
+  EXPECT_TRUE(warns(run_case(paper_case({"fluid.viscosity=1000 Pa s"})), "reynolds"));
+  EXPECT_TRUE(warns(run_case(paper_case({"pressure.segments[0].to=46 kPa"})), "pressure-above-limit"));
+  EXPECT_TRUE(warns(run_case(paper_case({"pressure.segments[0].to=60 kPa"})), "beyond-limit-point"));
+  EXPECT_TRUE(warns(run_case(paper_case({"pressure.segments[0].to=-5 kPa"})), "compression"));
+  EXPECT_TRUE(warns(run_case(paper_case({"fluid.viscosity=1 Pa s"}, "channel-10mm")), "channel-friction"));
+  EXPECT_TRUE(warns(run_case(paper_case({"inlet.channel_length=10 cm"}, "channel-30mm")), "channel-window"));
+  EXPECT_TRUE(warns(run_case(paper_case({}, "channel-30mm")), "dropped-term"));
+}
+
+TEST(Rows, AreTheRequestedOnes) {
+  const Case uniform = paper_case({"solve.samples=7"});
+  const auto rows = row_times(uniform, run_case(uniform));
+  ASSERT_EQ(rows.size(), 7U);
+  EXPECT_EQ(rows.front().seconds, 0);
+  EXPECT_EQ(rows[3].seconds, 30);
+  EXPECT_EQ(rows.back().seconds, 60);
+
+  const Case burst = paper_case({"solve.samples=601", "material.max_stretch=1.1"});
+  const RunResult result = run_case(burst);
+  const auto cut = row_times(burst, result);
+  EXPECT_EQ(cut.back().scaled, result.trajectory->last.time);
+  EXPECT_LT(cut.size(), 601U);
+
+  const Case resting = paper_case({"solve.samples=7", "solve.rest_tol=1e-3"});
+  const RunResult rested = run_case(resting);
+  EXPECT_EQ(rested.trajectory->outcome, Outcome::at_rest);
+  EXPECT_EQ(row_times(resting, rested).size(), 7U);
+}
+
+// A 13 ms oscillation over a minute: the drawn curve must reach the true extremes in every second of it.
+TEST(Curves, KeepTheExtremesOfAnOscillationTooFastToDraw) {
+  Case c = paper_case({"pressure.segments=[{ step = \"30 kPa\" }, { hold = \"1 s\" }]", "solve.rtol=1e-6", "solve.t_end=400 s"});
+  const RunResult result = run_case(c);
+  const double clock = result.oscillator->scales().time;
+  for (const Regime regime : {Regime::inflating, Regime::deflating}) {
+    const Curve curve = stretch_curve(*result.trajectory, regime, clock);
+    EXPECT_LT(curve.size(), 60000U);
+    double greatest = 0;
+    for (const auto& point : curve) greatest = std::max(greatest, point.y);
+    double expected = 0;
+    for (const auto& step : result.trajectory->steps) {
+      if (step.regime == regime) expected = std::max({expected, step.stretch_at(0), step.stretch_at(1)});
+    }
+    EXPECT_DOUBLE_EQ(greatest, expected);
+    for (std::size_t i = 1; i < curve.size(); ++i) EXPECT_GE(curve[i].x, curve[i - 1].x);
+  }
+}
+
+}  // namespace
+}  // namespace turgor
