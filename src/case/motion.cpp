@@ -35,11 +35,13 @@ void declare_motion(Schema& schema) {
               .fallback = "0.05",
               .meaning = "for name = \"auto\": largest relative size of a dropped term"});
 
-  schema.describe("scales", "for the dimensionless form of results (2.21); they change no result");
-  schema.add({.path = "scales.pressure",
-              .unit = "Pa",
-              .range = positive,
-              .meaning = "p_typ; the greatest gauge pressure of the run when not given"});
+  schema.describe("scales", "for the dimensionless form of results (2.21); they change no physical result");
+  schema.add(
+      {.path = "scales.pressure",
+       .unit = "Pa",
+       .range = positive,
+       .meaning =
+           "p_typ; when not given, the greatest size of the gauge pressure up to t_end (d0 W''(1)/r0 when that is 0)"});
   schema.add({.path = "scales.time",
               .unit = "s",
               .range = positive,

@@ -14,8 +14,11 @@ namespace turgor {
 
 namespace {
 
+/// Overrides come from the command line, where lines mean nothing.
+const std::string command_line = "--set";
+
 Node convert(const toml::node& node, const std::string& file) {
-  Node result{{}, file, static_cast<int>(node.source().begin.line)};
+  Node result{{}, file, file == command_line ? 0 : static_cast<int>(node.source().begin.line)};
   if (const auto* table = node.as_table()) {
     Node::Table entries;
     for (const auto& [key, value] : *table) entries.emplace_back(std::string(key.str()), convert(value, file));
@@ -52,8 +55,9 @@ void sort_by_line(Node& node) {
 }
 
 InvalidInput bad_override(std::string_view assignment, std::string problem) {
-  return InvalidInput({{"", "", "\"" + std::string(assignment) + "\": " + std::move(problem),
-                        "write --set table.key=value, for example --set 'inlet.orifice_radius=2 cm'", "--set", 0}});
+  return InvalidInput(
+      {{"", "", "\"" + std::string(assignment) + "\": " + std::move(problem),
+        "write --set table.key=value, for example --set 'inlet.orifice_radius=2 cm'", command_line, 0}});
 }
 
 /// One step of a path: a key, and the list indices that follow it.
@@ -91,13 +95,13 @@ Node parse_override_value(const std::string& text) {
   try {
     const toml::table table = toml::parse("value = " + text);
     if (table.size() == 1) {
-      Node node = convert(*table.get("value"), "--set");
+      Node node = convert(*table.get("value"), command_line);
       sort_by_line(node);
       return node;
     }
   } catch (const toml::parse_error&) {  // not TOML: a bare string
   }
-  return Node{text, "--set", 0};
+  return Node{text, command_line, 0};
 }
 
 }  // namespace
@@ -162,7 +166,7 @@ void apply_override(Node& root, std::string_view assignment) {
     auto* table = std::get_if<Node::Table>(&node->value);
     if (table == nullptr) throw bad_override(assignment, "the path runs through " + std::string(node->type_name()));
     auto entry = std::find_if(table->begin(), table->end(), [&](const auto& item) { return item.first == step.key; });
-    if (entry == table->end()) entry = table->insert(table->end(), {step.key, Node{Node::Table{}, "--set", 0}});
+    if (entry == table->end()) entry = table->insert(table->end(), {step.key, Node{Node::Table{}, command_line, 0}});
     node = &entry->second;
     for (const std::size_t index : step.indices) {
       auto* array = std::get_if<Node::Array>(&node->value);

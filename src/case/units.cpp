@@ -2,6 +2,7 @@
 
 #include <udunits2.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <memory>
@@ -50,12 +51,20 @@ std::string example_of(const std::string& unit) {
   return "a number and a unit such as " + unit;
 }
 
+bool has_radians(const ut_unit* unit) {
+  std::array<char, 256> text{};
+  const int length = ut_format(unit, text.data(), text.size(), UT_ASCII | UT_DEFINITION);
+  return length > 0 &&
+         std::string_view(text.data(), static_cast<std::size_t>(length)).find("rad") != std::string_view::npos;
+}
+
 double factor(const std::string& from, const std::string& to) {
   const Unit a = parse_unit(from);
   const Unit b = parse_unit(to);
-  // ut_are_convertible also says yes to reciprocals (s and Hz), so the quotient decides.
+  // ut_are_convertible also says yes to reciprocals (s and Hz), and radians count as dimensionless (rpm and Hz), so the
+  // quotient and its spelling decide.
   const Unit quotient(ut_divide(a.get(), b.get()));
-  if (!quotient || ut_is_dimensionless(quotient.get()) == 0) {
+  if (!quotient || ut_is_dimensionless(quotient.get()) == 0 || has_radians(quotient.get())) {
     throw wrong("\"" + from + "\" has the wrong dimension", "write " + example_of(to));
   }
   const std::unique_ptr<cv_converter, void (*)(cv_converter*)> converter(ut_get_converter(a.get(), b.get()), cv_free);

@@ -1,6 +1,7 @@
 // The command line: turgor run | info | validate | doc | materials.
 
 #include <CLI/CLI.hpp>
+#include <iostream>
 #include <string>
 
 #include "commands.hpp"
@@ -67,6 +68,10 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty()) {
+      std::cerr << "error: unknown command \"" << argv[1] << "\"; commands are run, info, validate, doc, materials\n";
+      return exit_bad_input;
+    }
     return app.exit(error) == 0 ? exit_done : exit_bad_input;
   }
 

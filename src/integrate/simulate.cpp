@@ -42,13 +42,7 @@ class Simulation {
   /// From the current time to the next knot or the end, under one smooth pressure.
   void run_to_knot() {
     pressure_ = &oscillator_.pressure().after(time_);
-    T target = end_;
-    for (const T& knot : oscillator_.pressure().knots()) {
-      if (knot > time_) {
-        target = std::min(target, knot);
-        break;
-      }
-    }
+    const T target = std::min(end_, oscillator_.pressure().next_knot(time_));
     T h(0);  // 0: to be chosen
     while (time_ < target && !stopped_) {
       if (state_[1] == T(0)) {
@@ -158,7 +152,7 @@ class Simulation {
   void check_limits() {
     if (state_[0] > options_.runaway_stretch) {
       fail(Outcome::runaway, "the balloon runs away: nothing holds it at this pressure");
-    } else if (result_.statistics.steps >= options_.max_steps) {
+    } else if (result_.statistics.steps >= options_.max_steps && time_ < end_) {
       fail(Outcome::max_steps, "more than " + std::to_string(options_.max_steps) + " steps");
     } else if (options_.keep_going && !options_.keep_going(time_)) {
       stop(Outcome::interrupted, "interrupted");
@@ -237,7 +231,7 @@ class Simulation {
     }
     const T steepest = std::max(d1, d2);
     const T by_order = steepest > T(0) ? std::pow(T(0.01) / steepest, T(1) / (Rodas5P::order + 1)) : longest;
-    const T by_rate = d1 > T(0) ? T(0.01) * d0 / d1 * 100 : longest;
+    const T by_rate = d1 > T(0) ? d0 / d1 : longest;
     return std::min({by_order, by_rate, longest / 10});
   }
 

@@ -15,6 +15,19 @@ InvalidInput unusable(const fs::path& path, std::string problem, std::string adv
   return InvalidInput("", "", "run directory " + path.string() + ": " + std::move(problem), std::move(advice));
 }
 
+void remove_earlier_run(const fs::path& folder) {
+  std::error_code ignored;
+  for (const char* table :
+       {"case.toml", "resolved.toml", "run.json", "trajectory.csv", "dimensionless.csv", "events.csv"}) {
+    fs::remove(folder / table, ignored);
+    fs::remove(folder / (std::string(table) + ".part"), ignored);
+  }
+  for (const char* picture : {"history", "portrait"}) {
+    for (const char* ending : {".svg", ".png", ".gp", ".log"})
+      fs::remove(folder / (std::string(picture) + ending), ignored);
+  }
+}
+
 }  // namespace
 
 RunDirectory::RunDirectory(fs::path path, const Case& c, bool force) : path_(std::move(path)) {
@@ -22,13 +35,7 @@ RunDirectory::RunDirectory(fs::path path, const Case& c, bool force) : path_(std
   if (fs::exists(path_, error)) {
     if (!fs::is_directory(path_, error)) throw unusable(path_, "is a file", "choose another name with -o DIR");
     if (!force) throw unusable(path_, "exists already", "choose another with -o DIR, or replace it with --force");
-    for (const char* name :
-         {"case.toml", "resolved.toml", "run.json", "trajectory.csv", "dimensionless.csv", "events.csv"}) {
-      fs::remove(path_ / name, error);
-    }
-    for (const char* picture : {"history", "portrait"}) {
-      for (const char* ending : {".svg", ".png", ".gp"}) fs::remove(path_ / (std::string(picture) + ending), error);
-    }
+    remove_earlier_run(path_);
   } else if (!fs::create_directories(path_, error) || error) {
     throw unusable(path_, "cannot be created (" + error.message() + ")", "choose a place you may write to with -o DIR");
   }

@@ -69,10 +69,11 @@ double EnergyLedger::closure_error() const {
   const Energies first = at(trajectory_.steps.front().start);
   const Energies last = at(trajectory_.last.time);
   double largest = 0;
-  for (const auto& step : trajectory_.steps) {
-    const Energies e = at(step.start);
+  const auto include = [&](const Energies& e) {
     largest = std::max({largest, e.kinetic, std::abs(e.elastic), std::abs(e.inlet_work), e.dissipated});
-  }
+  };
+  for (const auto& step : trajectory_.steps) include(at(step.start));
+  include(last);
   if (largest == 0) return 0;
   const double defect = last.kinetic + last.elastic - last.inlet_work + last.dissipated - first.kinetic - first.elastic;
   return std::abs(defect) / largest;

@@ -45,11 +45,14 @@ std::optional<double> ten_to_ninety(const Trajectory<double>& trajectory, double
 
 double peak_reynolds(const RunResult& result) {
   const Parameters<double>& p = result.oscillator->parameters();
-  double greatest_flow = 0;
-  for (const auto& step : result.trajectory->steps) {
-    for (const double theta : {0.0, 0.5}) {
-      const auto state = physical_state(*result.oscillator, *result.trajectory, step.start + theta * step.duration);
-      greatest_flow = std::max(greatest_flow, std::abs(state.flow_rate));
+  const Trajectory<double>& trajectory = *result.trajectory;
+  const auto flow = [&](double time) {
+    return std::abs(physical_state(*result.oscillator, trajectory, time).flow_rate);
+  };
+  double greatest_flow = flow(trajectory.last.time);
+  for (const auto& step : trajectory.steps) {
+    for (const double theta : {0.0, 0.25, 0.5, 0.75}) {
+      greatest_flow = std::max(greatest_flow, flow(step.start + theta * step.duration));
     }
   }
   const double speed = greatest_flow / (std::numbers::pi * p.orifice_radius * p.orifice_radius);

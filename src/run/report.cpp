@@ -18,8 +18,7 @@ Json number_or_null(const std::optional<double>& value) { return value ? Json(*v
 
 Json ratios(const std::vector<DroppedTerm>& terms) {
   Json out = Json::object();
-  for (const DroppedTerm& term : terms)
-    out[term.name] = std::isfinite(term.ratio) ? Json(term.ratio) : Json("infinite");
+  for (const DroppedTerm& term : terms) out[term.name] = std::isfinite(term.ratio) ? Json(term.ratio) : Json(nullptr);
   return out;
 }
 
@@ -55,7 +54,7 @@ int number_of(Regime regime) { return static_cast<int>(regime); }
 std::string run_json(const Case& c, const RunResult& result) {
   const Trajectory<double>& trajectory = *result.trajectory;
   const Oscillator<double>& oscillator = *result.oscillator;
-  const Scales<double>& scales = oscillator.scales();
+  const Scales<double>& scales = c.scales;
   const PhysicalState last = physical_state(oscillator, trajectory, trajectory.last.time);
 
   Json quantities = Json::object();
@@ -95,7 +94,7 @@ std::string run_json(const Case& c, const RunResult& result) {
        {{"p_typ_Pa", scales.pressure},
         {"t_typ_s", scales.time},
         {"r0_m", scales.length},
-        {"T_end", trajectory.last.time},
+        {"T_end", last.time / scales.time},
         {"energy_unit_J", scales.energy()}}},
       {"warnings", warnings},
       {"expectations", expectations},
@@ -159,11 +158,12 @@ std::string trajectory_csv(const Case& c, const RunResult& result) {
 }
 
 std::string dimensionless_csv(const Case& c, const RunResult& result) {
+  const double rate_unit = result.oscillator->scales().time / c.scales.time;
   std::string out = "T,R,dRdT,P,regime\n";
   for (const RowTime& row : row_times(c, result)) {
     const Point<double> point = result.trajectory->at(row.scaled);
-    append_number(out, row.scaled);
-    for (const double value : {point.stretch, point.rate, c.pressure(row.seconds) / c.scales.pressure}) {
+    append_number(out, row.seconds, c.scales.time);
+    for (const double value : {point.stretch, point.rate / rate_unit, c.pressure(row.seconds) / c.scales.pressure}) {
       out += ',';
       append_number(out, value);
     }

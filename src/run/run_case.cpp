@@ -10,7 +10,7 @@
 namespace turgor {
 
 Oscillator<double> make_oscillator(const Case& c, Model model) {
-  return Oscillator<double>(model, c.parameters, c.pressure, c.scales);
+  return Oscillator<double>(model, c.parameters, c.pressure, natural_scales(c.parameters, c.pressure, c.solve.t_end));
 }
 
 PhysicalState physical_state(const Oscillator<double>& oscillator, const Trajectory<double>& trajectory, double time) {
@@ -46,7 +46,7 @@ StretchRange stretch_range(const Trajectory<double>& trajectory) {
 namespace {
 
 Trajectory<double> integrate(const Case& c, const Oscillator<double>& oscillator, const Progress& progress) {
-  const double clock = c.scales.time;
+  const double clock = oscillator.scales().time;
   SimulationOptions<double> options;
   options.rtol = c.solve.rtol;
   options.atol = c.solve.atol;
@@ -90,7 +90,7 @@ RunResult run_case(const Case& c, const Progress& progress) {
   result.oscillator = std::make_unique<Oscillator<double>>(make_oscillator(c, c.model.value_or(Model::full)));
   result.trajectory = std::make_unique<Trajectory<double>>(integrate(c, *result.oscillator, progress));
   result.choice = compare_models(c, result.oscillator->dimensionless_groups(), stretch_range(*result.trajectory));
-  if (result.choice.model != result.oscillator->model() && result.trajectory->outcome != Outcome::interrupted) {
+  if (result.choice.model != result.oscillator->model() && is_complete(result.trajectory->outcome)) {
     // The full model has shown which stretches the run visits; the simpler one is good enough there.
     *result.oscillator = make_oscillator(c, result.choice.model);
     *result.trajectory = integrate(c, *result.oscillator, progress);

@@ -4,7 +4,6 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 namespace turgor {
 
@@ -35,20 +34,20 @@ StaticPressure static_pressure(const Parameters<double>& p, double R) {
   return {factor * w.first, factor * (w.second - 2 * w.first / R)};
 }
 
-std::vector<LimitPoint> limit_points(const Parameters<double>& p) {
+namespace {
+
+/// Extrema of the static pressure on [from, to], found on a geometric grid so fine that only two extrema closer than
+/// 0.2 % in R can be missed. Stretches at which the tension is not finite are left out.
+std::vector<LimitPoint> extrema(const Parameters<double>& p, double from, double to) {
   const auto slope = [&](double R) { return static_pressure(p, R).slope; };
-  const double end = upper_end(p);
-  // A geometric grid fine enough that two extrema closer than 0.2 % in R are the only ones that can be missed.
-  constexpr int cells = 4000;
-  const double ratio = std::pow(end, 1.0 / cells);
+  constexpr double ratio = 1.001;
   std::vector<LimitPoint> points;
-  double left = 1.0;
+  double left = from;
   double slope_left = slope(left);
-  for (int i = 1; i <= cells; ++i) {
-    const double right = i == cells ? end : std::pow(ratio, i);
+  while (left < to) {
+    const double right = std::min(left * ratio, to);
     const double slope_right = slope(right);
-    if (!std::isfinite(slope_right)) break;  // the energy has outgrown the floating-point range
-    if ((slope_left > 0) != (slope_right > 0)) {
+    if (std::isfinite(slope_left) && std::isfinite(slope_right) && (slope_left > 0) != (slope_right > 0)) {
       const double R = root(slope, left, right);
       points.push_back({R, static_pressure(p, R).value, slope_left > 0});
     }
@@ -58,16 +57,22 @@ std::vector<LimitPoint> limit_points(const Parameters<double>& p) {
   return points;
 }
 
+}  // namespace
+
+std::vector<LimitPoint> limit_points(const Parameters<double>& p) { return extrema(p, 1.0, upper_end(p)); }
+
 std::vector<Equilibrium> equilibria(const Parameters<double>& p, double pressure) {
-  std::vector<double> ends{smallest_stretch, 1.0};
-  for (const LimitPoint& point : limit_points(p)) ends.push_back(point.stretch);
+  std::vector<double> ends{smallest_stretch};
+  for (const LimitPoint& point : extrema(p, smallest_stretch, upper_end(p))) ends.push_back(point.stretch);
   ends.push_back(upper_end(p));
 
-  // Beyond locking the tension is infinite, outwards or inwards; the root finder wants numbers.
+  // Difference of pressures, squeezed into [-1, 1]: tensions near locking outgrow every number, and the root finder
+  // interpolates between numbers.
+  const double scale = std::abs(pressure) + p.thickness / p.radius * strain_energy(p.material, 1.0).second;
   const auto excess = [&](double R) {
-    constexpr double huge = std::numeric_limits<double>::max();
     const double difference = static_pressure(p, R).value - pressure;
-    return std::isnan(difference) ? (R < 1 ? -huge : huge) : std::clamp(difference, -huge, huge);
+    if (!std::isfinite(difference)) return R < 1 ? -1.0 : 1.0;
+    return difference / (std::abs(difference) + scale);
   };
   std::vector<Equilibrium> found;
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {  // monotone in between

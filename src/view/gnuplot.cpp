@@ -74,7 +74,7 @@ std::string gnuplot(const fs::path& folder, const std::string& name, const std::
   std::error_code ignored;
   fs::remove(folder / messages, ignored);
   if (code == 0) return {};
-  return "no pictures: gnuplot was not found; install it (package gnuplot-nox) and run `gnuplot " + script + "` in " +
+  return "no pictures: gnuplot was not found; install it (package gnuplot-nox) and run it on the .gp files in " +
          folder.string();
 }
 

@@ -47,7 +47,7 @@ std::string draw_history(const Case& c, const RunResult& result, const std::file
   const Trajectory<double>& trajectory = *result.trajectory;
   const double s = unit_factor(c.output.time_unit, "s");
   const std::string pressure_unit = picture_pressure_unit(c);
-  const double clock = c.scales.time / s;
+  const double clock = result.oscillator->scales().time / s;
 
   Plot stretch;
   stretch.add("inflating", stretch_curve(trajectory, Regime::inflating, clock),
@@ -81,7 +81,7 @@ std::string draw_history(const Case& c, const RunResult& result, const std::file
 
 std::string draw_portrait(const Case& c, const RunResult& result, const std::filesystem::path& folder) {
   const Trajectory<double>& trajectory = *result.trajectory;
-  const double per_time = unit_factor(c.output.time_unit, "s") / c.scales.time;
+  const double per_time = unit_factor(c.output.time_unit, "s") / result.oscillator->scales().time;
   const Point<double> first = trajectory.at(0);
   Plot plot;
   plot.add("inflating", portrait_curve(trajectory, Regime::inflating, per_time),
@@ -104,8 +104,9 @@ std::string draw_portrait(const Case& c, const RunResult& result, const std::fil
 
 std::string draw_pictures(const Case& c, const RunResult& result, const std::filesystem::path& folder) {
   if (result.trajectory->steps.empty()) return "no pictures: the run has no steps";
-  const std::string problem = draw_history(c, result, folder);
-  return problem.empty() ? draw_portrait(c, result, folder) : problem;
+  const std::string history = draw_history(c, result, folder);
+  const std::string portrait = draw_portrait(c, result, folder);
+  return history.empty() ? portrait : history;
 }
 
 }  // namespace turgor

@@ -35,8 +35,9 @@ TEST(Case, IsReadInSiUnits) {
 }
 
 TEST(Case, OverridesReplaceAnyKey) {
-  const Case c = read_case(paper_case, {"inlet.orifice_radius=2 cm", "solve.rtol=1e-6", "model.name=full", "initial.stretch = equilibrium",
-                                        "pressure.segments[0].to=30 kPa", "material.max_stretch=3", "title=An override"});
+  const Case c = read_case(
+      paper_case, {"inlet.orifice_radius=2 cm", "solve.rtol=1e-6", "model.name=full", "initial.stretch = equilibrium",
+                   "pressure.segments[0].to=30 kPa", "material.max_stretch=3", "title=An override"});
   EXPECT_DOUBLE_EQ(c.parameters.orifice_radius, 0.02);
   EXPECT_EQ(c.solve.rtol, 1e-6);
   EXPECT_EQ(c.solve.atol, 1e-6);
@@ -55,7 +56,9 @@ TEST(Case, LowestStableEquilibriumCanBeTheStart) {
 // A list of segments starts at 0 Pa, ramps are straight unless they say otherwise, and the last value holds.
 TEST(Case, SegmentsHaveTheirDefaults) {
   const std::string text = test::contents(paper_case);
-  const Case c = parse_case(text, paper_case, {"pressure.segments=[{ to = \"10 kPa\", over = \"2 s\" }, { step = \"4 kPa\" }, { hold = \"1 s\" }]"});
+  const Case c =
+      parse_case(text, paper_case,
+                 {"pressure.segments=[{ to = \"10 kPa\", over = \"2 s\" }, { step = \"4 kPa\" }, { hold = \"1 s\" }]"});
   EXPECT_DOUBLE_EQ(c.pressure(0.5), 2500);
   EXPECT_EQ(c.pressure(2.0), 4e3);
   EXPECT_EQ(c.pressure(50.0), 4e3);

@@ -32,10 +32,15 @@ TEST(Units, WhatIsWrittenInSiReadsBackToTheBit) {
 }
 
 TEST(Units, RefuseWhatIsNoQuantity) {
-  for (const char* text : {"", "cm", "30", "30 ", "30 bananas", "30 kPa", "nan m", "inf m", "1e999 m", "3 1/m", "3,5 cm", "3 degC", "--3 m"}) {
+  for (const char* text : {"", "cm", "30", "30 ", "30 bananas", "30 kPa", "nan m", "inf m", "1e999 m", "3 1/m",
+                           "3,5 cm", "3 degC", "--3 m"}) {
     EXPECT_THROW((void)parse_quantity(text, "m"), InvalidInput) << text;
   }
   EXPECT_THROW((void)parse_quantity("3 s", "Hz"), InvalidInput);  // reciprocal units convert in UDUNITS
+  for (const char* text :
+       {"60 rpm", "360 degrees/s", "1 rad/s"}) {  // radians count as 1 there, which would be 2 pi off
+    EXPECT_THROW((void)parse_quantity(text, "Hz"), InvalidInput) << text;
+  }
 }
 
 }  // namespace

@@ -64,7 +64,8 @@ TEST_P(BadCase, IsExplained) {
   const auto validated = turgor(folder, {"validate", "case.toml"});
   EXPECT_EQ(validated.code, 2) << validated.out << validated.err;
   EXPECT_EQ(validated.out, "");
-  for (const auto& words : mistake.says) EXPECT_NE(validated.err.find(words), std::string::npos) << "no \"" << words << "\" in:\n" << validated.err;
+  for (const auto& words : mistake.says)
+    EXPECT_NE(validated.err.find(words), std::string::npos) << "no \"" << words << "\" in:\n" << validated.err;
   EXPECT_NE(validated.err.find("case.toml"), std::string::npos) << validated.err;
 
   const auto run = turgor(folder, {"run", "case.toml", "-o", "result"});
@@ -80,7 +81,11 @@ TEST_P(BadCase, IsExplained) {
 }
 
 const std::vector<Mistake> mistakes{
-    {"UnknownKey", "orifice_radius =", "orifice_radios =", {"case.toml:14", "orifice_radios", "unknown key", "did you mean inlet.orifice_radius", "inlet.orifice_radius: missing"}},
+    {"UnknownKey",
+     "orifice_radius =",
+     "orifice_radios =",
+     {"case.toml:14", "orifice_radios", "unknown key", "did you mean inlet.orifice_radius",
+      "inlet.orifice_radius: missing"}},
     {"UnknownTable", "[fluid]", "[liquid]", {"liquid: unknown key", "did you mean fluid", "fluid.density: missing"}},
     {"UnknownTopLevelKey", "title =", "titel =", {"case.toml:1", "titel", "did you mean title"}},
     {"MissingKey", "thickness = \"3 mm\"\n", "", {"balloon.thickness: missing", "wall thickness"}},
@@ -106,27 +111,59 @@ const std::vector<Mistake> mistakes{
     {"Overflow", "\"30 cm\"", "\"1e999 cm\"", {"not a finite number"}},
     {"ZeroStretch", "stretch = 1.0", "stretch = 0", {"initial.stretch", "out of range"}},
     {"UnknownWordForStretch", "stretch = 1.0", "stretch = \"equlibrium\"", {"equilibrium"}},
-    {"NoStableEquilibrium", "[pressure]\nsegments = [ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]\n[initial]\nstretch = 1.0",
-     "[pressure]\nconstant = \"-1e30 Pa\"\n[initial]\nstretch = \"equilibrium\"", {"no stable equilibrium"}},
-    {"EmptySegments", "[ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]", "[]", {"pressure.segments", "is empty"}},
-    {"SegmentWithoutKind", "{ hold = \"2 s\" }", "{ over = \"2 s\" }", {"pressure.segments[1]", "says neither hold, step nor to"}},
-    {"SegmentWithTwoKinds", "{ hold = \"2 s\" }", "{ hold = \"2 s\", step = \"1 Pa\" }", {"more than one of hold, step and to"}},
+    {"NoStableEquilibrium",
+     "[pressure]\nsegments = [ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } "
+     "]\n[initial]\nstretch = 1.0",
+     "[pressure]\nconstant = \"-1e30 Pa\"\n[initial]\nstretch = \"equilibrium\"",
+     {"no stable equilibrium"}},
+    {"EmptySegments",
+     "[ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]",
+     "[]",
+     {"pressure.segments", "is empty"}},
+    {"SegmentWithoutKind",
+     "{ hold = \"2 s\" }",
+     "{ over = \"2 s\" }",
+     {"pressure.segments[1]", "says neither hold, step nor to"}},
+    {"SegmentWithTwoKinds",
+     "{ hold = \"2 s\" }",
+     "{ hold = \"2 s\", step = \"1 Pa\" }",
+     {"more than one of hold, step and to"}},
     {"SegmentWithoutDuration", "over = \"2 s\", ", "", {"says to but not over"}},
     {"SegmentWithZeroDuration", "{ hold = \"2 s\" }", "{ hold = \"0 s\" }", {"pressure.segments[1].hold", "> 0 s"}},
     {"UnknownShape", "\"smooth\"", "\"smoth\"", {"unknown name", "\"linear\", \"smooth\""}},
-    {"UnknownSegmentKey", "{ hold = \"2 s\" }", "{ hold = \"2 s\", shpe = \"linear\" }", {"shpe", "did you mean pressure.segments[].shape"}},
-    {"SegmentsNoList", "[ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]", "\"36 kPa\"", {"not a list of tables"}},
+    {"UnknownSegmentKey",
+     "{ hold = \"2 s\" }",
+     "{ hold = \"2 s\", shpe = \"linear\" }",
+     {"shpe", "did you mean pressure.segments[].shape"}},
+    {"SegmentsNoList",
+     "[ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]",
+     "\"36 kPa\"",
+     {"not a list of tables"}},
     {"SegmentNoTable", "{ hold = \"2 s\" }", "\"2 s\"", {"pressure.segments[1]", "not a table"}},
-    {"TwoPrograms", "[pressure]\n", "[pressure]\nconstant = \"1 kPa\"\n", {"more than one pressure program", "constant and segments"}},
-    {"NoProgram", "segments = [ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]", "", {"no pressure program"}},
-    {"EmptyTable", "segments = [ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]",
-     "table = { t = [], p = [] }", {"pressure.table.t", "is empty"}},
-    {"UnsortedTable", "segments = [ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]",
-     "table = { t = [\"0 s\", \"2 s\", \"1 s\"], p = [\"0 Pa\", \"1 Pa\", \"2 Pa\"] }", {"case.toml:17", "times must increase"}},
-    {"RaggedTable", "segments = [ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]",
-     "table = { t = [\"0 s\", \"2 s\"], p = [\"0 Pa\"] }", {"differ in length"}},
-    {"MissingTableFile", "segments = [ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]",
-     "table = { file = \"none.csv\" }", {"none.csv", "cannot be read"}},
+    {"TwoPrograms",
+     "[pressure]\n",
+     "[pressure]\nconstant = \"1 kPa\"\n",
+     {"more than one pressure program", "constant and segments"}},
+    {"NoProgram",
+     "segments = [ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]",
+     "",
+     {"no pressure program"}},
+    {"EmptyTable",
+     "segments = [ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]",
+     "table = { t = [], p = [] }",
+     {"pressure.table.t", "is empty"}},
+    {"UnsortedTable",
+     "segments = [ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]",
+     "table = { t = [\"0 s\", \"2 s\", \"1 s\"], p = [\"0 Pa\", \"1 Pa\", \"2 Pa\"] }",
+     {"case.toml:17", "times must increase"}},
+    {"RaggedTable",
+     "segments = [ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]",
+     "table = { t = [\"0 s\", \"2 s\"], p = [\"0 Pa\"] }",
+     {"differ in length"}},
+    {"MissingTableFile",
+     "segments = [ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]",
+     "table = { file = \"none.csv\" }",
+     {"none.csv", "cannot be read"}},
     {"NegativeEnd", "t_end = \"6 s\"", "t_end = \"-6 s\"", {"solve.t_end", "> 0 s"}},
     {"ZeroEnd", "t_end = \"6 s\"", "t_end = \"0 s\"", {"solve.t_end", "> 0 s"}},
     {"TooTight", "samples = 20", "samples = 20\nrtol = 1e-15", {"solve.rtol", "from 1e-13 to 0.01"}},
@@ -134,7 +171,10 @@ const std::vector<Mistake> mistakes{
     {"AbsurdSamples", "samples = 20", "samples = 1000000000000", {"solve.samples", "from 2 to 1e+07"}},
     {"OneSample", "samples = 20", "samples = 1", {"solve.samples", "from 2"}},
     {"FractionalSamples", "samples = 20", "samples = 20.5", {"solve.samples", "not an integer"}},
-    {"SamplesAndTimes", "samples = 20", "samples = 20\ntimes = [\"1 s\"]", {"solve.samples", "solve.times", "one of them"}},
+    {"SamplesAndTimes",
+     "samples = 20",
+     "samples = 20\ntimes = [\"1 s\"]",
+     {"solve.samples", "solve.times", "one of them"}},
     {"TimesNotIncreasing", "samples = 20", "times = [\"2 s\", \"1 s\"]", {"times must increase"}},
     {"TimesTooLate", "samples = 20", "times = [\"2 s\", \"7 s\"]", {"later than solve.t_end"}},
     {"EmptyTimes", "samples = 20", "times = []", {"solve.times", "is empty"}},
@@ -143,21 +183,46 @@ const std::vector<Mistake> mistakes{
     {"ValueForTable", "[initial]\nstretch = 1.0", "[model]\n", {"case.toml"}},
     {"DateForQuantity", "\"30 cm\"", "2026-01-01", {"a date or time"}},
     {"UnknownModel", "name = \"orifice\"", "name = \"orifise\"", {"case.toml:21", "unknown name", "\"long-channel\""}},
-    {"UnknownClosure", "name = \"orifice\"", "name = \"orifice\"\nclosure = \"exact\"", {"model.closure", "\"theoretical\""}},
+    {"UnknownClosure",
+     "name = \"orifice\"",
+     "name = \"orifice\"\nclosure = \"exact\"",
+     {"model.closure", "\"theoretical\""}},
     {"UnknownMaterial", "mooney-rivlin", "mooney", {"material.model", "unknown name", "mooney-rivlin"}},
-    {"KeyOfAnotherMaterial", "s2 = \"0.15 MPa\"", "s2 = \"0.15 MPa\"\njm = 3.0", {"material.jm", "not a key of this material", "gent"}},
+    {"KeyOfAnotherMaterial",
+     "s2 = \"0.15 MPa\"",
+     "s2 = \"0.15 MPa\"\njm = 3.0",
+     {"material.jm", "not a key of this material", "gent"}},
     {"UnstableMaterial", "\"1.5 MPa\"", "\"-1.5 MPa\"", {"unstable"}},
-    {"BurstBeforeStart", "s2 = \"0.15 MPa\"", "s2 = \"0.15 MPa\"\nmax_stretch = 0.5", {"material.max_stretch", "above 1"}},
-    {"LongChannelWithoutChannel", "name = \"orifice\"", "name = \"long-channel\"", {"case.toml:21", "there is no channel"}},
-    {"OrificeWithChannel", "channel_length = \"0 cm\"", "channel_length = \"50 cm\"", {"case.toml:21", "there is a channel"}},
-    {"UnknownOutputUnit", "[solve]", "[output]\npressure_unit = \"parsec\"\n[solve]", {"output.pressure_unit", "wrong dimension"}},
-    {"UnknownQuantity", "[solve]", "[expect]\npeak = { value = 1.0, tolerance = 0.1 }\n[solve]", {"expect.peak", "did you mean expect.peak_"}},
-    {"ExpectationWithoutTolerance", "[solve]", "[expect]\npeak_stretch = { value = 1.0 }\n[solve]", {"expect.peak_stretch.tolerance: missing"}},
+    {"BurstBeforeStart",
+     "s2 = \"0.15 MPa\"",
+     "s2 = \"0.15 MPa\"\nmax_stretch = 0.5",
+     {"material.max_stretch", "above 1"}},
+    {"LongChannelWithoutChannel",
+     "name = \"orifice\"",
+     "name = \"long-channel\"",
+     {"case.toml:21", "there is no channel"}},
+    {"OrificeWithChannel",
+     "channel_length = \"0 cm\"",
+     "channel_length = \"50 cm\"",
+     {"case.toml:21", "there is a channel"}},
+    {"UnknownOutputUnit",
+     "[solve]",
+     "[output]\npressure_unit = \"parsec\"\n[solve]",
+     {"output.pressure_unit", "wrong dimension"}},
+    {"UnknownQuantity",
+     "[solve]",
+     "[expect]\npeak = { value = 1.0, tolerance = 0.1 }\n[solve]",
+     {"expect.peak", "did you mean expect.peak_"}},
+    {"ExpectationWithoutTolerance",
+     "[solve]",
+     "[expect]\npeak_stretch = { value = 1.0 }\n[solve]",
+     {"expect.peak_stretch.tolerance: missing"}},
     {"NotToml", "[balloon]", "[balloon", {"case.toml:2", "not valid TOML"}},
     {"KeyTwice", "radius = \"30 cm\"", "radius = \"30 cm\"\nradius = \"31 cm\"", {"case.toml:4", "not valid TOML"}},
 };
 
-INSTANTIATE_TEST_SUITE_P(Mistakes, BadCase, testing::ValuesIn(mistakes), [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Mistakes, BadCase, testing::ValuesIn(mistakes),
+                         [](const auto& test) { return test.param.name; });
 
 TEST(BadInput, AllIssuesOfAFileAreReportedAtOnce) {
   const Folder folder;
@@ -167,7 +232,8 @@ TEST(BadInput, AllIssuesOfAFileAreReportedAtOnce) {
   test::write(folder / "case.toml", text);
   const auto result = turgor(folder, {"validate", "case.toml"});
   EXPECT_EQ(result.code, 2);
-  for (const char* key : {"balloon.radius", "balloon.thickness", "model.name"}) EXPECT_NE(result.err.find(key), std::string::npos);
+  for (const char* key : {"balloon.radius", "balloon.thickness", "model.name"})
+    EXPECT_NE(result.err.find(key), std::string::npos);
   EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 3);
 }
 
@@ -183,8 +249,9 @@ TEST(BadInput, UnreadableFiles) {
 
 TEST(BadInput, OddBytesAreNoCrash) {
   const Folder folder;
-  for (const std::string& bytes : {std::string("\xff\xfe\x00\x01", 4), std::string("a = \"\xc3\x28\""), std::string("\0", 1),
-                                   std::string("[[[[[["), std::string("x = " + std::string(5000, '['))}) {
+  for (const std::string& bytes :
+       {std::string("\xff\xfe\x00\x01", 4), std::string("a = \"\xc3\x28\""), std::string("\0", 1),
+        std::string("[[[[[["), std::string("x = " + std::string(5000, '['))}) {
     test::write(folder / "case.toml", bytes);
     EXPECT_EQ(turgor(folder, {"validate", "case.toml"}).code, 2);
   }
@@ -192,8 +259,9 @@ TEST(BadInput, OddBytesAreNoCrash) {
 
 TEST(BadInput, CsvTables) {
   const Folder folder;
-  test::write(folder / "case.toml", replaced("segments = [ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]",
-                                             "table = { file = \"p.csv\" }"));
+  test::write(folder / "case.toml",
+              replaced("segments = [ { to = \"36 kPa\", over = \"2 s\", shape = \"smooth\" }, { hold = \"2 s\" } ]",
+                       "table = { file = \"p.csv\" }"));
   const auto message = [&](const std::string& csv) {
     test::write(folder / "p.csv", csv);
     const auto result = turgor(folder, {"validate", "case.toml"});
@@ -255,8 +323,8 @@ TEST(BadInput, RunDirectories) {
 
 TEST(BadInput, CommandLines) {
   const Folder folder;
-  for (const std::vector<std::string>& arguments :
-       std::vector<std::vector<std::string>>{{}, {"simulate"}, {"run"}, {"run", "a", "b"}, {"run", "a", "--fast"}, {"doc", "tables"}}) {
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {}, {"simulate"}, {"run"}, {"run", "a", "b"}, {"run", "a", "--fast"}, {"doc", "tables"}}) {
     const auto result = turgor(folder, arguments);
     EXPECT_EQ(result.code, 2);
     EXPECT_NE(result.err, "");

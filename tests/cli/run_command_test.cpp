@@ -33,7 +33,9 @@ std::vector<double> numbers_of(const std::string& line) {
   return numbers;
 }
 
-json run_json(const Folder& folder, const std::string& directory) { return json::parse(contents(folder / directory / "run.json")); }
+json run_json(const Folder& folder, const std::string& directory) {
+  return json::parse(contents(folder / directory / "run.json"));
+}
 
 TEST(RunCommand, WritesTheRunDirectory) {
   const Folder folder;
@@ -47,7 +49,8 @@ TEST(RunCommand, WritesTheRunDirectory) {
   const auto rows = lines_of(directory / "trajectory.csv");
   ASSERT_EQ(rows.size(), 2001U);
   EXPECT_EQ(rows[0],
-            "t [s],R [1],dRdt [1/s],r [m],p_gauge [Pa],regime,volume [m^3],flow_rate [m^3/s],kinetic [J],elastic [J],inlet_work [J],"
+            "t [s],R [1],dRdt [1/s],r [m],p_gauge [Pa],regime,volume [m^3],flow_rate [m^3/s],kinetic [J],elastic "
+            "[J],inlet_work [J],"
             "dissipated [J]");
   for (std::size_t i = 1; i < rows.size(); ++i) {
     for (const double value : numbers_of(rows[i])) ASSERT_TRUE(std::isfinite(value)) << rows[i];
@@ -60,7 +63,8 @@ TEST(RunCommand, WritesTheRunDirectory) {
   const auto document = run_json(folder, "result");
   EXPECT_EQ(document.at("status"), "complete");
   EXPECT_EQ(document.at("quantities").at("events").get<std::size_t>(), events.size() - 1);
-  for (const char* part : {"versions", "timings", "integrator", "quantities", "warnings"}) EXPECT_TRUE(document.contains(part));
+  for (const char* part : {"versions", "timings", "integrator", "quantities", "warnings"})
+    EXPECT_TRUE(document.contains(part));
   EXPECT_TRUE(fs::exists(directory / "dimensionless.csv"));
   for (const char* picture : {"history", "portrait"}) {
     EXPECT_NE(contents(directory / (std::string(picture) + ".svg")).find("<svg"), std::string::npos);
@@ -139,9 +143,12 @@ TEST(RunCommand, OutputUnitsAreTheChosenOnes) {
 
 TEST(RunCommand, JsonIsOneDocumentAndNothingElse) {
   const Folder folder;
-  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-           {"run", shipped("orifice-30mm"), "--json"}, {"info", shipped("orifice-30mm"), "--json"},
-           {"validate", shipped("orifice-30mm"), "--json"}, {"doc", "--json"}, {"materials", "--json"}}) {
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"run", shipped("orifice-30mm"), "--json"},
+                                             {"info", shipped("orifice-30mm"), "--json"},
+                                             {"validate", shipped("orifice-30mm"), "--json"},
+                                             {"doc", "--json"},
+                                             {"materials", "--json"}}) {
     const auto result = turgor(folder, arguments);
     EXPECT_EQ(result.code, 0);
     EXPECT_EQ(result.err, "");
@@ -170,15 +177,17 @@ TEST(RunCommand, ChecksExpectations) {
   EXPECT_EQ(document.at("status"), "complete");
   EXPECT_FALSE(document.at("expectations").at(0).at("met").get<bool>());
   // a quantity that the run does not have is a missed one
-  EXPECT_EQ(turgor(folder, {"run", shipped("orifice-30mm"), "-o", "other", "--no-pictures", "--set", "pressure.segments=[{ hold = \"1 s\" }]",
-                            "--set", "expect.rise_time={ value = \"1 s\", tolerance = \"1 s\" }"})
+  EXPECT_EQ(turgor(folder, {"run", shipped("orifice-30mm"), "-o", "other", "--no-pictures", "--set",
+                            "pressure.segments=[{ hold = \"1 s\" }]", "--set",
+                            "expect.rise_time={ value = \"1 s\", tolerance = \"1 s\" }"})
                 .code,
             3);
 }
 
 TEST(RunCommand, ABurstKeepsTheTrajectoryUpToThere) {
   const Folder folder;
-  const auto result = turgor(folder, {"run", shipped("orifice-30mm"), "-o", "result", "--set", "material.max_stretch=1.1"});
+  const auto result =
+      turgor(folder, {"run", shipped("orifice-30mm"), "-o", "result", "--set", "material.max_stretch=1.1"});
   EXPECT_EQ(result.code, 4);
   EXPECT_NE(result.err.find("bursts"), std::string::npos);
   EXPECT_NE(result.err.find("R = 1.1"), std::string::npos);
@@ -202,7 +211,8 @@ TEST(RunCommand, ARunawayIsAFailure) {
 
 TEST(RunCommand, TooManyStepsAreAFailure) {
   const Folder folder;
-  const auto result = turgor(folder, {"run", shipped("orifice-30mm"), "-o", "result", "--no-pictures", "--set", "solve.max_steps=100"});
+  const auto result =
+      turgor(folder, {"run", shipped("orifice-30mm"), "-o", "result", "--no-pictures", "--set", "solve.max_steps=100"});
   EXPECT_EQ(result.code, 4);
   EXPECT_NE(result.err.find("more than 100 steps"), std::string::npos);
   EXPECT_GT(lines_of(folder / "result" / "trajectory.csv").size(), 2U);
@@ -211,8 +221,10 @@ TEST(RunCommand, TooManyStepsAreAFailure) {
 TEST(RunCommand, InterruptionKeepsWhatWasComputed) {
   const Folder folder;
   // A run of many seconds: a forced balloon for a long time at a tight tolerance.
-  const std::string command = std::string("timeout --preserve-status -s INT 0.4 '") + TURGOR_PROGRAM + "' run '" + shipped("material-yeoh") +
-                              "' -o result --set 'solve.t_end=1e6 s' --set solve.rtol=1e-12 --set solve.max_steps=100000000 --set model.name=full";
+  const std::string command = std::string("timeout --preserve-status -s INT 0.4 '") + TURGOR_PROGRAM + "' run '" +
+                              shipped("material-yeoh") +
+                              "' -o result --set 'solve.t_end=1e6 s' --set solve.rtol=1e-12 --set "
+                              "solve.max_steps=100000000 --set model.name=full";
   const auto result = test::shell(folder, command);
   EXPECT_EQ(result.code, 130) << result.err;
   const auto document = run_json(folder, "result");
@@ -226,8 +238,10 @@ TEST(RunCommand, InterruptionKeepsWhatWasComputed) {
 
 TEST(RunCommand, AKilledRunDoesNotPassAsComplete) {
   const Folder folder;
-  const std::string command = std::string("timeout -s KILL 0.4 '") + TURGOR_PROGRAM + "' run '" + shipped("material-yeoh") +
-                              "' -o result --set 'solve.t_end=1e6 s' --set solve.rtol=1e-12 --set solve.max_steps=100000000 --set model.name=full";
+  const std::string command = std::string("timeout -s KILL 0.4 '") + TURGOR_PROGRAM + "' run '" +
+                              shipped("material-yeoh") +
+                              "' -o result --set 'solve.t_end=1e6 s' --set solve.rtol=1e-12 --set "
+                              "solve.max_steps=100000000 --set model.name=full";
   (void)test::shell(folder, command);
   EXPECT_EQ(run_json(folder, "result").at("status"), "running");
 }
@@ -235,7 +249,8 @@ TEST(RunCommand, AKilledRunDoesNotPassAsComplete) {
 TEST(RunCommand, AMissingPlottingProgramIsAWarning) {
   const Folder folder;
   fs::create_directory(folder / "empty");
-  const auto result = test::shell(folder, "PATH=\"$PWD/empty\" '" + std::string(TURGOR_PROGRAM) + "' run '" + shipped("orifice-30mm") + "' -o result");
+  const auto result = test::shell(folder, "PATH=\"$PWD/empty\" '" + std::string(TURGOR_PROGRAM) + "' run '" +
+                                              shipped("orifice-30mm") + "' -o result");
   EXPECT_EQ(result.code, 0);
   EXPECT_NE(result.err.find("warning: no pictures: gnuplot was not found"), std::string::npos) << result.err;
   EXPECT_EQ(run_json(folder, "result").at("status"), "complete");

@@ -220,6 +220,16 @@ TEST(Simulate, CanBeInterrupted) {
   EXPECT_LT(trajectory.last.time, 100);
 }
 
+TEST(Simulate, TheLastAllowedStepMayReachTheEnd) {
+  const auto p = paper_balloon<double>(0.03, 0.5);
+  const auto whole = run(p, constant_pressure(20e3), {}, 5.0);
+  SimulationOptions<double> options;
+  options.max_steps = whole.statistics.steps;
+  EXPECT_EQ(run(p, constant_pressure(20e3), {}, 5.0, options).outcome, Outcome::reached_end);
+  options.max_steps -= 1;
+  EXPECT_EQ(run(p, constant_pressure(20e3), {}, 5.0, options).outcome, Outcome::max_steps);
+}
+
 TEST(Simulate, RefusesAStartThatCannotBe) {
   const auto p = paper_balloon<double>(0.03, 0.5);
   EXPECT_THROW((void)run(p, constant_pressure(0.0), {0, 0}, 1), InvalidInput);

@@ -30,8 +30,8 @@ TEST(Energy, BalanceClosesToTheTolerance) {
   }
 }
 
-// p dV by the volume that the program reports itself. The model works on 4 pi r^2, which differs from the (2.1) that volumes
-// follow by eps^2/4 = 6e-6; trapezoidal sums over 20001 rows add less.
+// p dV by the volume that the program reports itself. The model works on 4 pi r^2, which differs from the (2.1) that
+// volumes follow by eps^2/4 = 6e-6; trapezoidal sums over 20001 rows add less.
 TEST(Energy, InletWorkIsPressureTimesVolume) {
   const Case c = paper_case({"solve.samples=20001"}, "channel-30mm");
   const RunResult result = run_case(c);
@@ -53,8 +53,9 @@ TEST(PhysicalState, FlowRateIsTheRateOfVolume) {
   const auto& o = *result.oscillator;
   for (const double T : {3.0, 11.0, 60.0}) {
     const double h = 1e-4;
-    const double difference = (physical_state(o, *result.trajectory, T + h).volume - physical_state(o, *result.trajectory, T - h).volume) /
-                              (2 * h * o.scales().time);
+    const double difference =
+        (physical_state(o, *result.trajectory, T + h).volume - physical_state(o, *result.trajectory, T - h).volume) /
+        (2 * h * o.scales().time);
     const double flow = physical_state(o, *result.trajectory, T).flow_rate;
     EXPECT_NEAR(flow, difference, 1e-6 * std::abs(flow) + 1e-12);
   }
@@ -107,6 +108,15 @@ TEST(Warnings, NameWhatIsStrained) {
   EXPECT_TRUE(warns(run_case(paper_case({}, "channel-30mm")), "dropped-term"));
 }
 
+TEST(Scales, ChangeNoPhysicalResult) {
+  const Case plain = paper_case();
+  const Case scaled = paper_case({"scales.time=1000 s", "scales.pressure=3 Pa"});
+  const RunResult a = run_case(plain);
+  const RunResult b = run_case(scaled);
+  EXPECT_EQ(trajectory_csv(plain, a), trajectory_csv(scaled, b));
+  EXPECT_NE(dimensionless_csv(plain, a), dimensionless_csv(scaled, b));
+}
+
 TEST(Rows, AreTheRequestedOnes) {
   const Case uniform = paper_case({"solve.samples=7"});
   const auto rows = row_times(uniform, run_case(uniform));
@@ -129,7 +139,8 @@ TEST(Rows, AreTheRequestedOnes) {
 
 // A 13 ms oscillation over a minute: the drawn curve must reach the true extremes in every second of it.
 TEST(Curves, KeepTheExtremesOfAnOscillationTooFastToDraw) {
-  Case c = paper_case({"pressure.segments=[{ step = \"30 kPa\" }, { hold = \"1 s\" }]", "solve.rtol=1e-6", "solve.t_end=400 s"});
+  Case c = paper_case(
+      {"pressure.segments=[{ step = \"30 kPa\" }, { hold = \"1 s\" }]", "solve.rtol=1e-6", "solve.t_end=400 s"});
   const RunResult result = run_case(c);
   const double clock = result.oscillator->scales().time;
   for (const Regime regime : {Regime::inflating, Regime::deflating}) {

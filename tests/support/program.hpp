@@ -39,7 +39,9 @@ class Folder {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-inline void write(const std::filesystem::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
+inline void write(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
 
 struct Finished {
   int code;
@@ -51,7 +53,8 @@ struct Finished {
 [[nodiscard]] inline Finished shell(const Folder& folder, const std::string& command) {
   const std::string out = (folder / "stdout").string();
   const std::string err = (folder / "stderr").string();
-  const int status = std::system(("cd '" + folder.path().string() + "' && " + command + " >'" + out + "' 2>'" + err + "' </dev/null").c_str());
+  const int status = std::system(
+      ("cd '" + folder.path().string() + "' && " + command + " >'" + out + "' 2>'" + err + "' </dev/null").c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(out), contents(err)};
 }
 

@@ -31,7 +31,8 @@ struct SimulationOptions {
 /// and never slides; nor does it come to rest in finite time (docs/theory.md, section 2.4).
 ///
 /// Never throws for trouble on the way: the outcome says what happened and everything up to there is kept.
-/// @throws InvalidInput when the start is not finite, R is not in (0, limit), or end_time <= start_time
+/// @throws InvalidInput when the start is not finite, R is not positive or the wall has no finite tension there, or
+/// end_time <= start_time
 template <class T>
 [[nodiscard]] Trajectory<T> simulate(const Oscillator<T>& oscillator, const T& start_time, const T& stretch,
                                      const T& rate, const T& end_time, const SimulationOptions<T>& options);

@@ -13,7 +13,8 @@ struct Gent {
   T mu;  ///< shear modulus [Pa]
   T jm;  ///< largest I1 - 3 [1]
 
-  /// W and its derivatives at stretch lambda > 0; all +infinity from stretch_limit() on.
+  /// W and its derivatives at stretch lambda > 0; infinite from stretch_limit() on, and in compression where I1 - 3 >=
+  /// jm.
   template <class S>
   [[nodiscard]] Jet<S> energy(const S& lambda) const {
     const Jet<S> i1 = first_invariant_minus_3(lambda);

@@ -16,7 +16,8 @@ struct GentGent {
   T jm;  ///< largest I1 - 3 [1]
   T c2;  ///< [Pa]
 
-  /// W and its derivatives at stretch lambda > 0; all +infinity from stretch_limit() on.
+  /// W and its derivatives at stretch lambda > 0; infinite from stretch_limit() on, and in compression where I1 - 3 >=
+  /// jm.
   template <class S>
   [[nodiscard]] Jet<S> energy(const S& lambda) const {
     using std::log;

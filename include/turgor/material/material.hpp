@@ -26,7 +26,7 @@ using Material =
     std::variant<MooneyRivlin<T>, NeoHookean<T>, Yeoh<T>, Gent<T>, GentGent<T>, Ogden<T>, Fung<T>, ArrudaBoyce<T>>;
 
 /// Strain energy density W [J/m^3] at stretch lambda > 0, with dW/dlambda and d2W/dlambda2 [Pa].
-/// All three are +infinity at or beyond stretch_limit(material).
+/// Infinite, never NaN, at or beyond stretch_limit(material) and where a material locks in compression.
 template <class T, class S>
 [[nodiscard]] Jet<S> strain_energy(const Material<T>& material, const S& lambda) {
   return std::visit([&](const auto& solid) { return solid.energy(lambda); }, material);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <variant>
@@ -129,14 +130,16 @@ class PressureProgram {
   explicit PressureProgram(std::vector<Piece> pieces) : pieces_(std::move(pieces)) {}
 
   /// The smooth pressure from time t [s] up to the next knot.
-  [[nodiscard]] const SmoothPressure<T>& after(const T& t) const {
-    const auto next = std::upper_bound(pieces_.begin() + 1, pieces_.end(), t,
-                                       [](const T& time, const Piece& piece) { return time < piece.start; });
-    return (next - 1)->pressure;
-  }
+  [[nodiscard]] const SmoothPressure<T>& after(const T& t) const { return (piece_after(t) - 1)->pressure; }
 
   /// Gauge pressure [Pa] at time t [s].
   [[nodiscard]] T operator()(const T& t) const { return after(t)(t); }
+
+  /// First knot after time t [s]; +infinity when there is none.
+  [[nodiscard]] T next_knot(const T& t) const {
+    const auto next = piece_after(t);
+    return next == pieces_.end() ? std::numeric_limits<T>::infinity() : next->start;
+  }
 
   /// Times at which the program or one of its derivatives may jump [s], increasing.
   [[nodiscard]] std::vector<T> knots() const {
@@ -155,6 +158,11 @@ class PressureProgram {
   [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
 
  private:
+  [[nodiscard]] auto piece_after(const T& t) const {
+    return std::upper_bound(pieces_.begin() + 1, pieces_.end(), t,
+                            [](const T& time, const Piece& piece) { return time < piece.start; });
+  }
+
   std::vector<Piece> pieces_;
 };
 
@@ -226,7 +234,7 @@ enum class TableInterpolation {
                                                      const std::vector<double>& pressures,
                                                      TableInterpolation interpolation);
 
-/// Largest and smallest gauge pressure [Pa] on [0, t_end].
+/// Least and greatest gauge pressure [Pa] of the pieces up to t_end; a harmonic counts with its whole swing.
 template <class T>
 struct PressureRange {
   T least;

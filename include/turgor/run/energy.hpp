@@ -3,7 +3,7 @@
 //
 // With the kinetic energy M_s v^2/2 (v = dR/dT), the equation of motion gives
 //     d/dT (M_s v^2/2 + elastic) = a P v + (M_s'/2 + Q_s) v^3,
-// and the last term vanishes during inflation and is negative during deflation: the jet out of the orifice.
+// and the last term vanishes during inflation and is negative during deflation: what the outflow carries off.
 
 #include <vector>
 

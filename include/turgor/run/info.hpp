@@ -1,5 +1,5 @@
 #pragma once
-// What can be said about a case before, or without, running it.
+// What can be said about a case beyond its trajectory.
 
 #include <string>
 #include <vector>
@@ -27,7 +27,7 @@ struct CaseInfo {
   Groups<double> groups_si;       ///< with p_typ = 1 Pa and t_typ = 1 s
   Groups<double> groups_natural;  ///< with the case's own scales
   std::vector<LimitPoint> limit_points;
-  std::vector<EquilibriaAt> equilibria;  ///< at t = 0, at every knot and at the end, equal pressures once
+  std::vector<EquilibriaAt> equilibria;  ///< at t = 0, at knots and at the end: up to 12 different pressures
   std::vector<TimeConstants> time_constants;
   RunResult run;  ///< the model choice and the strained assumptions need the range of stretches
 };

@@ -13,7 +13,7 @@ namespace turgor {
 /// trajectory.csv: one row per requested time, units of [output]; ends where the run ended.
 [[nodiscard]] std::string trajectory_csv(const Case& c, const RunResult& result);
 
-/// dimensionless.csv: T, R, dR/dT, P and regime at the same times, on the one clock of the scales.
+/// dimensionless.csv: T, R, dR/dT, P and regime at the same times, on the one clock of the case's scales.
 [[nodiscard]] std::string dimensionless_csv(const Case& c, const RunResult& result);
 
 /// events.csv: every change of regime.
@@ -24,7 +24,7 @@ namespace turgor {
 
 /// A time at which tables have a row.
 struct RowTime {
-  double scaled;   ///< T, dimensionless
+  double scaled;   ///< on the trajectory's clock
   double seconds;  ///< t [s]; exactly as requested
 };
 

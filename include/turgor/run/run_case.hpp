@@ -43,7 +43,7 @@ struct ExpectationResult {
   bool met;
 };
 
-/// The result of a run. Times in the trajectory are dimensionless; the scales are the oscillator's.
+/// The result of a run. Times and rates in the trajectory are dimensionless on the oscillator's scales.
 struct RunResult {
   std::unique_ptr<Oscillator<double>> oscillator;
   ModelChoice choice;
@@ -67,7 +67,8 @@ using Progress = std::function<bool(double)>;
 /// Runs a case. Trouble during integration is reported in the trajectory's outcome, not thrown.
 [[nodiscard]] RunResult run_case(const Case& c, const Progress& progress = {});
 
-/// The oscillator of a case with a given model.
+/// The oscillator of a case with a given model, on natural scales: the case's own scales only shape reports, so that
+/// they cannot change what the integrator does.
 [[nodiscard]] Oscillator<double> make_oscillator(const Case& c, Model model);
 
 /// State of the balloon in SI units at one time.

@@ -23,7 +23,7 @@ struct LimitPoint {
   bool maximum;     ///< a maximum (snap-through when inflating) or a minimum (when deflating)
 };
 
-/// All limit points with R between 1 and `largest_stretch`, in order of R.
+/// All limit points with R > 1, up to the locking stretch or largest_stretch, in order of R.
 [[nodiscard]] std::vector<LimitPoint> limit_points(const Parameters<double>& p);
 
 /// A state of rest at a given pressure.
@@ -38,6 +38,5 @@ struct Equilibrium {
 
 /// The range searched for equilibria: no balloon is compressed below or, without a locking stretch, extended beyond it.
 inline constexpr double smallest_stretch = 0.05;
-inline constexpr double largest_stretch = 1000.0;
 
 }  // namespace turgor
