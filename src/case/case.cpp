@@ -1,5 +1,6 @@
 #include "turgor/case/case.hpp"
 
+#include <array>
 #include <fstream>
 #include <iterator>
 
@@ -15,10 +16,13 @@ struct Part {
 };
 
 /// In reading order: later parts may use what earlier ones have read.
-constexpr Part parts[] = {
-    {declare_balloon, read_balloon}, {declare_pressure, read_pressure}, {declare_solve, read_solve},
-    {declare_motion, read_motion},   {declare_report, read_report},
-};
+constexpr std::array<Part, 5> parts{{
+    {declare_balloon, read_balloon},
+    {declare_pressure, read_pressure},
+    {declare_solve, read_solve},
+    {declare_motion, read_motion},
+    {declare_report, read_report},
+}};
 
 }  // namespace
 

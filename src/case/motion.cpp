@@ -55,7 +55,7 @@ void read_initial(Reader& reader, Case& c) {
     if (!reader.issues().empty()) return;  // an equilibrium needs a valid balloon and pressure
     const double pressure = c.pressure(0.0);
     const auto states = equilibria(c.parameters, pressure);
-    const auto lowest = std::find_if(states.begin(), states.end(), [](const Equilibrium& e) { return e.stable; });
+    const auto lowest = std::ranges::find(states, true, &Equilibrium::stable);
     if (lowest == states.end()) {
       reader.complain("initial.stretch",
                       "the balloon has no stable equilibrium at p(0) = " + shortest(pressure) + " Pa",

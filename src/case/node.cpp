@@ -1,8 +1,9 @@
 // toml++ 3.3 aborts on odd bytes through its own assertion; it throws a parse error instead when that is off.
-#define TOML_ASSERT(condition) static_cast<void>(0)
+#define TOML_ASSERT(condition) static_cast<void>(0)  // NOLINT: its own configuration macro
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <sstream>
 
@@ -21,7 +22,7 @@ Node convert(const toml::node& node, const std::string& file) {
   Node result{{}, file, file == command_line ? 0 : static_cast<int>(node.source().begin.line)};
   if (const auto* table = node.as_table()) {
     Node::Table entries;
-    for (const auto& [key, value] : *table) entries.emplace_back(std::string(key.str()), convert(value, file));
+    for (const auto& [key, value] : *table) entries.push_back({std::string(key.str()), convert(value, file)});
     result.value = std::move(entries);
   } else if (const auto* array = node.as_array()) {
     Node::Array items;
@@ -46,9 +47,8 @@ Node convert(const toml::node& node, const std::string& file) {
 /// Tables of a file come sorted by key from the parser; messages are read from top to bottom.
 void sort_by_line(Node& node) {
   if (auto* table = std::get_if<Node::Table>(&node.value)) {
-    std::stable_sort(table->begin(), table->end(),
-                     [](const auto& a, const auto& b) { return a.second.line < b.second.line; });
-    for (auto& [key, value] : *table) sort_by_line(value);
+    std::ranges::stable_sort(*table, {}, [](const Node::Entry& entry) { return entry.node.line; });
+    for (Node::Entry& entry : *table) sort_by_line(entry.node);
   } else if (auto* array = std::get_if<Node::Array>(&node.value)) {
     for (auto& item : *array) sort_by_line(item);
   }
@@ -139,8 +139,8 @@ std::string Node::text() const {
 }
 
 std::string_view Node::type_name() const {
-  static constexpr std::string_view names[] = {"a table",  "a list",    "a string",      "an integer",
-                                               "a number", "a boolean", "a date or time"};
+  static constexpr std::array<std::string_view, 7> names{"a table",  "a list",    "a string",      "an integer",
+                                                         "a number", "a boolean", "a date or time"};
   return names[value.index()];
 }
 
@@ -165,9 +165,10 @@ void apply_override(Node& root, std::string_view assignment) {
   for (const PathStep& step : parse_path(key, assignment)) {
     auto* table = std::get_if<Node::Table>(&node->value);
     if (table == nullptr) throw bad_override(assignment, "the path runs through " + std::string(node->type_name()));
-    auto entry = std::find_if(table->begin(), table->end(), [&](const auto& item) { return item.first == step.key; });
-    if (entry == table->end()) entry = table->insert(table->end(), {step.key, Node{Node::Table{}, command_line, 0}});
-    node = &entry->second;
+    auto entry = std::ranges::find(*table, step.key, &Node::Entry::key);
+    if (entry == table->end())
+      entry = table->insert(table->end(), Node::Entry{step.key, Node{Node::Table{}, command_line, 0}});
+    node = &entry->node;
     for (const std::size_t index : step.indices) {
       auto* array = std::get_if<Node::Array>(&node->value);
       if (array == nullptr || index >= array->size()) {

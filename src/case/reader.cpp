@@ -31,7 +31,7 @@ std::string choices_text(const std::vector<std::string>& choices) {
 }
 
 bool contains(const std::vector<std::string>& list, std::string_view item) {
-  return std::find(list.begin(), list.end(), item) != list.end();
+  return std::ranges::find(list, item) != list.end();
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ const Node* Reader::node(std::string_view path) const {
     path = end == std::string_view::npos ? std::string_view{} : path.substr(end);
     while (current != nullptr && path.starts_with('[')) {
       std::size_t index = 0;
-      const auto stop = std::from_chars(path.data() + 1, path.data() + path.size(), index).ptr;
+      const auto* stop = std::from_chars(path.data() + 1, path.data() + path.size(), index).ptr;
       const auto* array = current->as<Node::Array>();
       current = array != nullptr && index < array->size() ? &(*array)[index] : nullptr;
       path.remove_prefix(static_cast<std::size_t>(stop + 1 - path.data()));
@@ -243,30 +243,7 @@ void Reader::check_unknown() { check_unknown(root_, ""); }
 
 void Reader::check_unknown(const Node& node, const std::string& path) {
   if (const auto* table = node.as<Node::Table>()) {
-    for (const auto& [name, child] : *table) {
-      const std::string below = path.empty() ? name : path + "." + name;
-      const Key* known = schema_.find(below, material());
-      if (known != nullptr && known->kind != ValueKind::table && known->kind != ValueKind::table_list) continue;
-      if (known == nullptr && !schema_.has_below(below)) {
-        const std::string near = schema_.nearest(below, material());
-        std::string models;
-        for (const Key& key : schema_.keys()) {
-          if (key.path == below && !key.only_with.empty()) models += (models.empty() ? "" : ", ") + key.only_with;
-        }
-        const std::string elsewhere = models.empty() ? "" : "it belongs to the model " + models;
-        complain(below, models.empty() ? "unknown key" : "not a key of this material",
-                 near.empty() ? elsewhere : (elsewhere.empty() ? "" : elsewhere + "; ") + "did you mean " + near + "?");
-        continue;
-      }
-      const bool wants_list =
-          schema_.has_below(below + "[]") && known != nullptr && known->kind == ValueKind::table_list;
-      if (wants_list ? child.as<Node::Array>() == nullptr : child.as<Node::Table>() == nullptr) {
-        complain(below,
-                 "is " + std::string(child.type_name()) + ", not " + (wants_list ? "a list of tables" : "a table"));
-        continue;
-      }
-      check_unknown(child, below);
-    }
+    for (const auto& entry : *table) check_entry(entry.node, path.empty() ? entry.key : path + "." + entry.key);
   } else if (const auto* array = node.as<Node::Array>()) {
     for (std::size_t i = 0; i < array->size(); ++i) {
       const std::string item = path + "[" + std::to_string(i) + "]";
@@ -279,9 +256,35 @@ void Reader::check_unknown(const Node& node, const std::string& path) {
   }
 }
 
+void Reader::check_entry(const Node& child, const std::string& path) {
+  const Key* known = schema_.find(path, material());
+  if (known == nullptr && !schema_.has_below(path)) {
+    complain_unknown(path);
+    return;
+  }
+  const ValueKind kind = known != nullptr ? known->kind : ValueKind::table;
+  if (kind == ValueKind::table && child.as<Node::Table>() == nullptr) {
+    complain(path, "is " + std::string(child.type_name()) + ", not a table");
+  } else if (kind == ValueKind::table_list && child.as<Node::Array>() == nullptr) {
+    complain(path, "is " + std::string(child.type_name()) + ", not a list of tables");
+  } else if (kind == ValueKind::table || kind == ValueKind::table_list) {
+    check_unknown(child, path);
+  }
+}
+
+void Reader::complain_unknown(const std::string& path) {
+  std::string advice;
+  for (const Key& key : schema_.keys()) {
+    if (key.path == path) advice += (advice.empty() ? "it belongs to the model " : ", ") + key.only_with;
+  }
+  const std::string problem = advice.empty() ? "unknown key" : "not a key of this material";
+  const std::string near = schema_.nearest(path, material());
+  if (!near.empty()) advice += (advice.empty() ? "" : "; ") + ("did you mean " + near + "?");
+  complain(path, problem, advice);
+}
+
 void Reader::resolve(const std::string& path, const std::string& toml) {
-  const auto found =
-      std::find_if(resolved_.begin(), resolved_.end(), [&](const auto& entry) { return entry.first == path; });
+  const auto found = std::ranges::find(resolved_, path, &std::pair<std::string, std::string>::first);
   if (found != resolved_.end()) {
     found->second = toml;
   } else {

@@ -39,9 +39,8 @@ const Key* Schema::find(std::string_view path, std::string_view material) const 
 
 bool Schema::has_below(std::string_view path) const {
   const std::string name = without_indices(path);
-  return std::any_of(keys_.begin(), keys_.end(), [&](const Key& key) {
-    return key.path.starts_with(name + ".") || key.path.starts_with(name + "[].");
-  });
+  return std::ranges::any_of(
+      keys_, [&](const Key& key) { return key.path.starts_with(name + ".") || key.path.starts_with(name + "[]."); });
 }
 
 namespace {

@@ -16,9 +16,9 @@ namespace turgor::cli {
 
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+volatile std::sig_atomic_t interrupted = 0;  // NOLINT: a signal handler can reach nothing else
 
-void on_signal(int) { interrupted = 1; }
+void on_signal(int /*number*/) { interrupted = 1; }
 
 Case read(const CaseArguments& arguments) { return read_case(arguments.file, arguments.overrides); }
 
@@ -69,8 +69,8 @@ int run_case_file(const RunArguments& arguments) {
       arguments.directory.empty() ? c.file.stem().string() + ".run" : arguments.directory;
   RunDirectory directory(folder, c, arguments.force);
 
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
+  (void)std::signal(SIGINT, on_signal);
+  (void)std::signal(SIGTERM, on_signal);
   ProgressBar bar(c.solve.t_end, !arguments.quiet && !arguments.input.json);
   const RunResult result = run_case(c, [&](double time) {
     bar.reach(time);

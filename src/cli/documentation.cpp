@@ -37,8 +37,11 @@ std::string rule(const Key& key) {
   const bool dimensional = key.kind == ValueKind::quantity || key.kind == ValueKind::quantity_list;
   if (dimensional) out += " [" + key.unit + "]";
   if (!key.range.is_everything()) out += ", " + key.range.text(dimensional ? key.unit : "1");
-  for (std::size_t i = 0; i < key.choices.size(); ++i)
-    out += (i == 0 ? (key.kind == ValueKind::text ? ": " : ", or ") : " | ") + key.choices[i];
+  std::string separator = key.kind == ValueKind::text ? ": " : ", or ";
+  for (const std::string& choice : key.choices) {
+    out += separator + choice;
+    separator = " | ";
+  }
   if (!key.fallback.empty()) out += ", default " + key.fallback;
   if (key.required) out += ", required";
   return out;

@@ -168,7 +168,7 @@ class Simulation {
   /// Size of the shortened step that ends where dR/dT first vanishes, if it does.
   std::optional<T> find_zero_rate(const OscillatorFlow<T>& flow, const Linearization<T, 2>& at, const T& h,
                                   const Step& step, const T& s, const T& noise) {
-    std::array<T, 5> rate;
+    std::array<T, 5> rate{};
     for (std::size_t i = 0; i < rate.size(); ++i) rate[i] = s * step.polynomial[i][1];
     constexpr int depth = 8;
     const std::optional<T> dip = first_negative(bernstein<T>(rate), T(0), T(1), noise, depth);

@@ -50,8 +50,7 @@ Model simplest_model(const Groups<double>& g, double least, double greatest, dou
   for (const Model model : {Model::orifice, Model::long_channel}) {
     if ((model == Model::orifice) != (g.b == 0)) continue;
     const std::vector<DroppedTerm> terms = dropped_terms(model, g, least, greatest);
-    if (std::all_of(terms.begin(), terms.end(), [&](const DroppedTerm& t) { return t.ratio < tolerance; }))
-      return model;
+    if (std::ranges::all_of(terms, [&](const DroppedTerm& t) { return t.ratio < tolerance; })) return model;
   }
   return Model::full;
 }

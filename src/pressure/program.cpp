@@ -1,4 +1,4 @@
-#include <math.h>  // Boost 1.74 calls isnan without naming its namespace
+#include <math.h>  // NOLINT: Boost 1.74 calls isnan without naming its namespace
 
 #include <boost/math/interpolators/pchip.hpp>
 

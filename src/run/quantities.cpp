@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <ranges>
 
 #include "parts.hpp"
 #include "turgor/case/quantities.hpp"
@@ -69,10 +70,10 @@ std::vector<Quantity> quantities_of_interest(const RunResult& result) {
   const double initial = trajectory.at(start).stretch;
   double peak = trajectory.last.stretch;
   double peak_time = end;
-  for (auto step = trajectory.steps.rbegin(); step != trajectory.steps.rend(); ++step) {
-    if (step->stretch_at(0) >= peak) {  // the earliest of equals
-      peak = step->stretch_at(0);
-      peak_time = step->start;
+  for (const auto& step : trajectory.steps | std::views::reverse) {
+    if (step.stretch_at(0) >= peak) {  // the earliest of equals
+      peak = step.stretch_at(0);
+      peak_time = step.start;
     }
   }
   const auto seconds = [&](std::optional<double> time) {

@@ -110,7 +110,7 @@ std::string RunResult::status() const {
 }
 
 bool RunResult::expectations_met() const {
-  return std::all_of(expectations.begin(), expectations.end(), [](const ExpectationResult& e) { return e.met; });
+  return std::ranges::all_of(expectations, [](const ExpectationResult& e) { return e.met; });
 }
 
 std::optional<double> RunResult::quantity(std::string_view name) const {

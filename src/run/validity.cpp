@@ -73,7 +73,7 @@ class Checks {
   }
 
   void viscosity() {
-    const double reynolds = *result_.quantity("peak_reynolds");
+    const double reynolds = result_.quantity("peak_reynolds").value_or(0);
     if (reynolds > 0 && reynolds < high_reynolds) {
       warn("reynolds",
            "the Reynolds number in the orifice stays below " + rounded(reynolds) + ": the flow is not inviscid");

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -12,8 +11,9 @@ namespace turgor {
 
 /// One value of a case file.
 struct Node {
+  struct Entry;
   using Array = std::vector<Node>;
-  using Table = std::vector<std::pair<std::string, Node>>;  ///< in the order of the file
+  using Table = std::vector<Entry>;  ///< in the order of the file
 
   /// A value of a type that no key takes, such as a date; holds its TOML text.
   struct Other {
@@ -34,6 +34,12 @@ struct Node {
   [[nodiscard]] std::string text() const;
   /// "a table", "a string", ...
   [[nodiscard]] std::string_view type_name() const;
+};
+
+/// One line of a table.
+struct Node::Entry {
+  std::string key;
+  Node node;
 };
 
 /// Parses TOML text.

@@ -47,9 +47,11 @@ class Reader {
 
  private:
   [[nodiscard]] const Key& key(std::string_view path) const;
-  std::optional<double> scalar(const std::string& path, const Key& key, const Node& node);
+  std::optional<double> scalar(const std::string& path, const Key& key, const Node& given);
   void check_unknown(const Node& node, const std::string& path);
-  std::string material() const;
+  void check_entry(const Node& child, const std::string& path);
+  void complain_unknown(const std::string& path);
+  [[nodiscard]] std::string material() const;
 
   const Schema& schema_;
   const Node& root_;

@@ -79,7 +79,7 @@ template <class T>
 struct Trajectory {
   std::vector<TrajectoryStep<T>> steps;  ///< in order of time, without gaps
   std::vector<RegimeEvent<T>> events;    ///< the start is none
-  Point<T> last;                         ///< final state
+  Point<T> last{};                       ///< final state
   Outcome outcome = Outcome::reached_end;
   std::string message;  ///< for people, when the outcome is not what was asked for
   IntegratorStatistics statistics;

@@ -144,6 +144,7 @@ class PressureProgram {
   /// Times at which the program or one of its derivatives may jump [s], increasing.
   [[nodiscard]] std::vector<T> knots() const {
     std::vector<T> times;
+    times.reserve(pieces_.size() - 1);
     for (std::size_t i = 1; i < pieces_.size(); ++i) times.push_back(pieces_[i].start);
     return times;
   }
@@ -151,6 +152,7 @@ class PressureProgram {
   /// The same program measured in other units: pressure [Pa] and time [s] become 1.
   [[nodiscard]] PressureProgram in_units(const T& pressure, const T& time) const {
     std::vector<Piece> scaled;
+    scaled.reserve(pieces_.size());
     for (const Piece& piece : pieces_) scaled.push_back({piece.start / time, piece.pressure.in_units(pressure, time)});
     return PressureProgram(std::move(scaled));
   }
