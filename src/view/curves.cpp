@@ -100,25 +100,25 @@ Curve portrait_curve(const Trajectory<double>& trajectory, Regime regime, double
 }
 
 Curve pressure_curve(const Case& c, double time_unit, double pressure_unit) {
-  Curve curve;
   const double end = c.solve.t_end;
   std::vector<double> knots{0};
   for (const double knot : c.pressure.knots()) {
     if (knot > 0 && knot < end) knots.push_back(knot);
   }
   knots.push_back(end);
+  Envelope envelope(end / time_unit / columns);
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
     const SmoothPressure<double>& pressure = c.pressure.after(knots[i]);
-    double cycles = 1;
-    if (const auto* harmonic = std::get_if<HarmonicPressure<double>>(&pressure.form()))
-      cycles += harmonic->frequency * end;
-    const int points = pressure.is_constant() ? 1 : static_cast<int>(std::min(64 * cycles, 200000.0));
-    for (int k = 0; k <= points; ++k) {
-      const double t = knots[i] + (knots[i + 1] - knots[i]) * k / points;
-      curve.push_back({t / time_unit, pressure(t) / pressure_unit, false});
+    double points = pressure.is_constant() ? 1 : std::clamp(2 * columns / static_cast<double>(knots.size()), 1.0, 64.0);
+    if (const auto* harmonic = std::get_if<HarmonicPressure<double>>(&pressure.form())) {
+      points = std::clamp(64 * harmonic->frequency * end, 64.0, 1e6);
+    }
+    for (double k = 0; k <= points; ++k) {
+      const double t = knots[i] + (knots[i + 1] - knots[i]) * std::min(1.0, k / std::floor(points));
+      envelope.add({t / time_unit, pressure(t) / pressure_unit, false});
     }
   }
-  return curve;
+  return envelope.finish();
 }
 
 }  // namespace turgor

@@ -30,7 +30,8 @@ TEST(PressureProgram, FollowsItsSegments) {
 
 // The smooth ramp of the paper's figures: s = x^3 (10 - 15 x + 6 x^2) has zero slope and curvature at both ends.
 TEST(PressureProgram, SmoothRampStartsWithItsThirdDerivative) {
-  const auto& ramp = sample_program().after(1.0);
+  const auto program = sample_program();
+  const auto& ramp = program.after(1.0);
   EXPECT_EQ(ramp.derivative(1, 1.0), 0);
   EXPECT_EQ(ramp.derivative(2, 1.0), 0);
   EXPECT_DOUBLE_EQ(ramp.derivative(3, 1.0), 60 * 1500 / 8.0);
@@ -45,7 +46,8 @@ TEST(PressureProgram, DerivativesAgreeWithDifferences) {
   const HarmonicPressure<double> harmonic{100, 700, 0.8, 0.4};
   const auto linear = table_pressure({0, 1, 2, 4}, {0, 300, 300, -100}, TableInterpolation::linear);
   const auto cubic = table_pressure({0, 1, 2, 4}, {0, 300, 350, 900}, TableInterpolation::cubic);
-  const std::vector<SmoothPressure<double>> smooth{SmoothPressure<double>(harmonic), sample_program().after(1.5),
+  const auto segments = sample_program();
+  const std::vector<SmoothPressure<double>> smooth{SmoothPressure<double>(harmonic), segments.after(1.5),
                                                    linear.after(2.5), cubic.after(2.5)};
   constexpr double h = 1e-4;
   for (const auto& p : smooth) {

@@ -130,7 +130,8 @@ class PressureProgram {
   explicit PressureProgram(std::vector<Piece> pieces) : pieces_(std::move(pieces)) {}
 
   /// The smooth pressure from time t [s] up to the next knot.
-  [[nodiscard]] const SmoothPressure<T>& after(const T& t) const { return (piece_after(t) - 1)->pressure; }
+  [[nodiscard]] const SmoothPressure<T>& after(const T& t) const& { return (piece_after(t) - 1)->pressure; }
+  const SmoothPressure<T>& after(const T& t) && = delete;  // would refer into a temporary
 
   /// Gauge pressure [Pa] at time t [s].
   [[nodiscard]] T operator()(const T& t) const { return after(t)(t); }
