@@ -59,13 +59,13 @@ std::string gnuplot(const fs::path& folder, const std::string& name, const std::
   {
     std::ofstream stream(folder / script);
     stream << "# Made by turgor; draw again with: gnuplot " << script << "\n" << data;
-    stream
-        << "set terminal svg size 800,560 font 'Helvetica,15' background rgb 'white' enhanced\n"
-        << "set output '" << name << ".svg'\n"
-        << frame << plot << "unset output\nreset\n"
-        << "set terminal pngcairo size 1600,1120 font 'Helvetica,15' fontscale 1.9 linewidth 2 pointscale 2 enhanced\n"
-        << "set output '" << name << ".png'\n"
-        << frame << plot << "unset output\n";
+    stream << "set terminal svg size 800,560 font 'Helvetica,15' background rgb 'white' rounded enhanced\n"
+           << "set output '" << name << ".svg'\n"
+           << frame << plot << "unset output\nreset\n"
+           << "set terminal pngcairo size 1600,1120 font 'Helvetica,15' fontscale 1.9 linewidth 2 pointscale 2 rounded "
+              "enhanced\n"
+           << "set output '" << name << ".png'\n"
+           << frame << plot << "unset output\n";
     if (!stream.flush()) return "no pictures: cannot write " + (folder / script).string();
   }
   const std::string messages = name + ".log";

@@ -1,5 +1,8 @@
 #include "turgor/view/pictures.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "curves.hpp"
 #include "gnuplot.hpp"
 #include "turgor/base/text.hpp"
@@ -43,6 +46,15 @@ std::string picture_pressure_unit(const Case& c) {
   return c.output.pressure_unit == "Pa" ? "kPa" : c.output.pressure_unit;
 }
 
+/// 1, 2 or 5 times a power of ten, such that the low panel of a curve gets three to six tics.
+double tic_step(const Curve& curve) {
+  const auto [low, high] = std::ranges::minmax(curve, {}, &CurvePoint::y);
+  const double wanted = std::max(high.y - low.y, 1e-3 * std::abs(high.y) + 1e-9) / 3;
+  const double power = std::pow(10, std::floor(std::log10(wanted)));
+  if (wanted < 2 * power) return power;
+  return wanted < 5 * power ? 2 * power : 5 * power;
+}
+
 std::string draw_history(const Case& c, const RunResult& result, const std::filesystem::path& folder) {
   const Trajectory<double>& trajectory = *result.trajectory;
   const double s = unit_factor(c.output.time_unit, "s");
@@ -55,14 +67,15 @@ std::string draw_history(const Case& c, const RunResult& result, const std::file
   stretch.add("deflating", stretch_curve(trajectory, Regime::deflating, clock),
               line_style(deflating_colour, "deflating"));
   stretch.add("rest", stretch_curve(trajectory, Regime::rest, clock), line_style("black", "at rest"));
-  constexpr std::size_t too_many_to_tell_apart = 400;
+  constexpr std::size_t too_many_to_tell_apart = 60;
   if (trajectory.events.size() <= too_many_to_tell_apart) {
     Curve events;
     for (const auto& event : trajectory.events) events.push_back({event.time * clock, event.stretch, false});
     stretch.add("events", events, "points pt 7 ps 0.35 lc rgb 'black' title 'change of regime'");
   }
+  const Curve pressures = pressure_curve(c, s, unit_factor(pressure_unit, "Pa"));
   Plot pressure;
-  pressure.add("pressure", pressure_curve(c, s, unit_factor(pressure_unit, "Pa")), line_style("black", ""));
+  pressure.add("pressure", pressures, line_style("black", ""));
 
   std::string commands = "set multiplot\nset lmargin at screen 0.115; set rmargin at screen 0.97\n";
   commands += "set xrange [0:" + rounded(c.solve.t_end / s, 10) + "]\n";
@@ -73,6 +86,7 @@ std::string draw_history(const Case& c, const RunResult& result, const std::file
       "0.06,graph 0.06\n";
   commands += stretch.command();
   commands += "set tmargin at screen 0.37; set bmargin at screen 0.13\nunset title\nset format x '%g'\nunset key\n";
+  commands += "set ytics " + rounded(tic_step(pressures), 6) + "\n";
   commands +=
       "set xlabel 't [" + c.output.time_unit + "]'\nset ylabel 'p_{ext} - p_a [" + pressure_unit + "]' offset 1\n";
   commands += pressure.command() + "unset multiplot\n";
@@ -89,7 +103,7 @@ std::string draw_portrait(const Case& c, const RunResult& result, const std::fil
   plot.add("deflating", portrait_curve(trajectory, Regime::deflating, per_time),
            line_style(deflating_colour, "deflating"));
   plot.add("start", {{first.stretch, first.rate * per_time, false}},
-           "points pt 6 ps 1 lw 1.5 lc rgb 'black' title 'start'");
+           "points pt 6 ps 1.6 lw 1.5 lc rgb 'black' title 'start'");
   plot.add("end", {{trajectory.last.stretch, trajectory.last.rate * per_time, false}},
            "points pt 7 ps 0.8 lc rgb 'black' title 'end'");
 

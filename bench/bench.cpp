@@ -1,0 +1,68 @@
+// Timings of the program as its users meet it: start-up, the demo case from file to tables, and the integration alone.
+// turgor-bench PROGRAM CASES OUT.json
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "turgor/run/run_case.hpp"
+
+namespace {
+
+/// Median wall time of some repetitions [s]; the machine is shared, and a median forgets its hiccups.
+double median_seconds(int repetitions, const std::function<void()>& work) {
+  std::vector<double> seconds;
+  for (int i = 0; i < repetitions; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  std::ranges::sort(seconds);
+  return seconds[seconds.size() / 2];
+}
+
+double command_seconds(const std::string& command) {
+  return median_seconds(21, [&] {
+    if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);
+  });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 4) {
+    std::cerr << "usage: turgor-bench PROGRAM CASES OUT.json\n";
+    return 2;
+  }
+  const std::string program = argv[1];
+  const std::filesystem::path cases = argv[2];
+  const std::string scratch = (std::filesystem::temp_directory_path() / "turgor-bench").string();
+
+  nlohmann::ordered_json document;
+  // A shell that starts nothing: what every command below costs before the program's first instruction.
+  document["shell_s"] = command_seconds("true >/dev/null");
+  document["start_up_s"] = command_seconds(program + " --version >/dev/null");
+  document["demo_without_pictures_s"] = command_seconds(program + " run " + (cases / "orifice-30mm.toml").string() + " -o " + scratch +
+                                                        " --force --no-pictures --quiet");
+  for (const char* name : {"orifice-10mm", "orifice-30mm", "channel-10mm", "channel-30mm"}) {
+    for (const char* rtol : {"1e-4", "1e-6", "1e-8", "1e-10"}) {
+      const turgor::Case c = turgor::read_case(cases / (std::string(name) + ".toml"), {std::string("solve.rtol=") + rtol});
+      long steps = 0;
+      const double seconds = median_seconds(21, [&] {
+        const auto result = turgor::run_case(c);
+        steps = result.trajectory->statistics.steps;
+      });
+      document["run_case"].push_back({{"case", name}, {"rtol", std::stod(rtol)}, {"seconds", seconds}, {"steps", steps}});
+    }
+  }
+  std::filesystem::remove_all(scratch);
+  std::ofstream(argv[3]) << document.dump(2) << "\n";
+  std::cout << document.dump(2) << "\n";
+}
