@@ -49,17 +49,19 @@ int main(int argc, char** argv) {
   // A shell that starts nothing: what every command below costs before the program's first instruction.
   document["shell_s"] = command_seconds("true >/dev/null");
   document["start_up_s"] = command_seconds(program + " --version >/dev/null");
-  document["demo_without_pictures_s"] = command_seconds(program + " run " + (cases / "orifice-30mm.toml").string() + " -o " + scratch +
-                                                        " --force --no-pictures --quiet");
+  document["demo_without_pictures_s"] = command_seconds(program + " run " + (cases / "orifice-30mm.toml").string() +
+                                                        " -o " + scratch + " --force --no-pictures --quiet");
   for (const char* name : {"orifice-10mm", "orifice-30mm", "channel-10mm", "channel-30mm"}) {
     for (const char* rtol : {"1e-4", "1e-6", "1e-8", "1e-10"}) {
-      const turgor::Case c = turgor::read_case(cases / (std::string(name) + ".toml"), {std::string("solve.rtol=") + rtol});
+      const turgor::Case c =
+          turgor::read_case(cases / (std::string(name) + ".toml"), {std::string("solve.rtol=") + rtol});
       long steps = 0;
       const double seconds = median_seconds(21, [&] {
         const auto result = turgor::run_case(c);
         steps = result.trajectory->statistics.steps;
       });
-      document["run_case"].push_back({{"case", name}, {"rtol", std::stod(rtol)}, {"seconds", seconds}, {"steps", steps}});
+      document["run_case"].push_back(
+          {{"case", name}, {"rtol", std::stod(rtol)}, {"seconds", seconds}, {"steps", steps}});
     }
   }
   std::filesystem::remove_all(scratch);

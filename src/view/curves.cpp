@@ -109,12 +109,13 @@ Curve pressure_curve(const Case& c, double time_unit, double pressure_unit) {
   Envelope envelope(end / time_unit / columns);
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
     const SmoothPressure<double>& pressure = c.pressure.after(knots[i]);
-    double points = pressure.is_constant() ? 1 : std::clamp(2 * columns / static_cast<double>(knots.size()), 1.0, 64.0);
+    double wanted = pressure.is_constant() ? 1 : std::clamp(2 * columns / static_cast<double>(knots.size()), 1.0, 64.0);
     if (const auto* harmonic = std::get_if<HarmonicPressure<double>>(&pressure.form())) {
-      points = std::clamp(64 * harmonic->frequency * end, 64.0, 1e6);
+      wanted = std::clamp(64 * harmonic->frequency * end, 64.0, 1e6);
     }
-    for (double k = 0; k <= points; ++k) {
-      const double t = knots[i] + (knots[i + 1] - knots[i]) * std::min(1.0, k / std::floor(points));
+    const int points = static_cast<int>(wanted);
+    for (int k = 0; k <= points; ++k) {
+      const double t = knots[i] + (knots[i + 1] - knots[i]) * k / points;
       envelope.add({t / time_unit, pressure(t) / pressure_unit, false});
     }
   }
