@@ -3,16 +3,19 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "turgor/run/run_case.hpp"
+#include "work_precision.hpp"
 
 namespace {
 
@@ -32,6 +35,32 @@ double command_seconds(const std::string& command) {
   return median_seconds(21, [&] {
     if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);
   });
+}
+
+/// Geometric mean and worst of how many times longer a peer takes than this integrator at equal error.
+void print_ratios(const nlohmann::ordered_json& entries) {
+  for (const char* peer : {"cvode_bdf_seconds", "cvode_adams_seconds", "odeint_seconds"}) {
+    for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
+      double logarithms = 0;
+      double worst = std::numeric_limits<double>::infinity();
+      int count = 0;
+      int missing = 0;
+      for (const auto& entry : entries) {
+        if (entry.at("tolerance") != tolerance) continue;
+        if (entry.at(peer).is_null()) {
+          ++missing;
+          continue;
+        }
+        const double ratio = entry.at(peer).get<double>() / entry.at("seconds").get<double>();
+        logarithms += std::log(ratio);
+        worst = std::min(worst, ratio);
+        ++count;
+      }
+      std::cout << peer << " over ours at tolerance " << tolerance << ": geometric mean "
+                << std::exp(logarithms / count) << ", least " << worst << " (" << count << " cases, " << missing
+                << " where it does not reach our error)\n";
+    }
+  }
 }
 
 }  // namespace
@@ -65,6 +94,7 @@ int main(int argc, char** argv) {
     }
   }
   std::filesystem::remove_all(scratch);
+  document["single"] = turgor::bench::work_precision();
+  print_ratios(document["single"]);
   std::ofstream(argv[3]) << document.dump(2) << "\n";
-  std::cout << document.dump(2) << "\n";
 }

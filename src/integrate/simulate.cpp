@@ -202,7 +202,7 @@ class Simulation {
   }
 
   Step attempt(const OscillatorFlow<T>& flow, const Linearization<T, 2>& at, const T& h) {
-    result_.statistics.rate_evaluations += Rodas5P::stages - 1;
+    result_.statistics.rate_evaluations += Rodas5P<T>::stages - 1;
     ++result_.statistics.factorizations;
     return rosenbrock_step(flow, time_, state_, at, h);
   }
@@ -230,7 +230,7 @@ class Simulation {
       d2 = std::max(d2, std::abs(second[i]) / scale);
     }
     const T steepest = std::max(d1, d2);
-    const T by_order = steepest > T(0) ? std::pow(T(0.01) / steepest, T(1) / (Rodas5P::order + 1)) : longest;
+    const T by_order = steepest > T(0) ? std::pow(T(0.01) / steepest, T(1) / (Rodas5P<T>::order + 1)) : longest;
     const T by_rate = d1 > T(0) ? d0 / d1 : longest;
     return std::min({by_order, by_rate, longest / 10});
   }

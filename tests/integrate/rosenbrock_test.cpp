@@ -117,5 +117,37 @@ TEST(Rodas5P, DampsInfinitelyStiffComponents) {
   EXPECT_LT(std::abs(step.end[0] - std::sin(1.0)), 1e-4);
 }
 
+// Systems beyond two unknowns go through LU: two copies of the nonlinear problem must move as the one does.
+struct TwoCopies {
+  using Scalar = double;
+  static constexpr int size = 4;
+  using State = Eigen::Matrix<double, 4, 1>;
+  Nonlinear one;
+
+  [[nodiscard]] State rate(double t, const State& y) const {
+    State rates;
+    rates << one.rate(t, y.head<2>()), one.rate(t, y.tail<2>());
+    return rates;
+  }
+  [[nodiscard]] Linearization<double, 4> linearize(double t, const State& y) const {
+    const auto head = one.linearize(t, y.head<2>());
+    const auto tail = one.linearize(t, y.tail<2>());
+    Linearization<double, 4> at{rate(t, y), Eigen::Matrix4d::Zero(), {}};
+    at.jacobian.topLeftCorner<2, 2>() = head.jacobian;
+    at.jacobian.bottomRightCorner<2, 2>() = tail.jacobian;
+    at.time_derivative << head.time_derivative, tail.time_derivative;
+    return at;
+  }
+};
+
+TEST(Rodas5P, TakesLargerSystems) {
+  const Nonlinear::State start{1.0, 0.5};
+  TwoCopies::State both;
+  both << start, start;
+  const auto one = solve(Nonlinear{}, start, 10);
+  const auto two = solve(TwoCopies{}, both, 10);
+  EXPECT_LT((two.head<2>() - one).norm() + (two.tail<2>() - one).norm(), 1e-14);
+}
+
 }  // namespace
 }  // namespace turgor

@@ -1,0 +1,63 @@
+#pragma once
+// The same hybrid trajectories by other people's integrators, for work-precision comparisons.
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "turgor/integrate/simulate.hpp"
+
+namespace turgor::bench {
+
+/// One trajectory with known values of R at some times, all dimensionless.
+struct Problem {
+  std::string name;
+  Oscillator<double> oscillator;
+  double stretch;
+  double rate;
+  std::vector<double> times;      ///< increasing; the last is the end
+  std::vector<double> reference;  ///< R at these times
+};
+
+/// R at a problem's times, by some method at some tolerance (relative and absolute).
+using Method = std::function<std::vector<double>(const Problem&, double tolerance)>;
+
+[[nodiscard]] std::vector<double> by_turgor(const Problem& problem, double tolerance);
+
+/// SUNDIALS CVODE with its own root finding, dense direct solver and analytic Jacobian.
+[[nodiscard]] std::vector<double> by_cvode_bdf(const Problem& problem, double tolerance);
+[[nodiscard]] std::vector<double> by_cvode_adams(const Problem& problem, double tolerance);
+
+/// Boost.Odeint with dense output and events bisected on it: explicit Dormand-Prince 5, and Rosenbrock 4 with analytic Jacobian.
+[[nodiscard]] std::vector<double> by_odeint_dopri5(const Problem& problem, double tolerance);
+[[nodiscard]] std::vector<double> by_odeint_rosenbrock4(const Problem& problem, double tolerance);
+
+/// Walks a problem from knot to knot and regime to regime; `advance` integrates one stretch of one regime under one smooth
+/// pressure up to `target` or to dR/dT = 0, whichever comes first, and changes time and state (rate exactly 0 at an event).
+/// It is handed the times to report on the way through `report`.
+struct Stretch {
+  const Problem& problem;
+  const SmoothPressure<double>& pressure;
+  Regime regime;
+  double target;
+};
+struct State {
+  double time, stretch, rate;
+};
+template <class Advance>
+void walk(const Problem& problem, const Advance& advance) {
+  State state{0, problem.stretch, problem.rate};
+  const double end = problem.times.back();
+  constexpr int too_many = 20000;  // no reference trajectory has a tenth of these: the method is stuck
+  for (int stretches = 0; state.time < end; ++stretches) {
+    if (stretches > too_many) throw std::runtime_error("stuck at t = " + std::to_string(state.time));
+    const auto& pressure = problem.oscillator.pressure().after(state.time);
+    const double target = std::min(end, problem.oscillator.pressure().next_knot(state.time));
+    Regime regime = state.rate > 0 ? Regime::inflating : Regime::deflating;
+    if (state.rate == 0) regime = regime_from_rest(problem.oscillator, pressure, state.time, state.stretch);
+    advance(Stretch{problem, pressure, regime, target}, state);
+  }
+}
+
+}  // namespace turgor::bench
