@@ -23,7 +23,8 @@ int rate(realtype t, N_Vector y, N_Vector rates, void* data) {
   return std::isfinite(result[1]) ? 0 : 1;
 }
 
-int jacobian(realtype t, N_Vector y, N_Vector /*rates*/, SUNMatrix matrix, void* data, N_Vector /*a*/, N_Vector /*b*/, N_Vector /*c*/) {
+int jacobian(realtype t, N_Vector y, N_Vector /*rates*/, SUNMatrix matrix, void* data, N_Vector /*a*/, N_Vector /*b*/,
+             N_Vector /*c*/) {
   const auto& flow = **static_cast<const Flow**>(data);
   const auto at = flow.linearize(t, {NV_Ith_S(y, 0), NV_Ith_S(y, 1)});
   for (int i = 0; i < 2; ++i) {
@@ -78,7 +79,8 @@ class Cvode {
     check(CVodeSetStopTime(memory_, stretch.target));
     const auto& times = stretch.problem.times;
     while (state.time < stretch.target) {
-      const double next = values.size() < times.size() ? std::min(times[values.size()], stretch.target) : stretch.target;
+      const double next =
+          values.size() < times.size() ? std::min(times[values.size()], stretch.target) : stretch.target;
       const int code = CVode(memory_, next, y_, &state.time, CV_NORMAL);
       check(code);
       state.stretch = NV_Ith_S(y_, 0);
@@ -110,6 +112,8 @@ std::vector<double> run(const Problem& problem, int method, double tolerance) {
 }  // namespace
 
 std::vector<double> by_cvode_bdf(const Problem& problem, double tolerance) { return run(problem, CV_BDF, tolerance); }
-std::vector<double> by_cvode_adams(const Problem& problem, double tolerance) { return run(problem, CV_ADAMS, tolerance); }
+std::vector<double> by_cvode_adams(const Problem& problem, double tolerance) {
+  return run(problem, CV_ADAMS, tolerance);
+}
 
 }  // namespace turgor::bench

@@ -22,8 +22,8 @@ using Flow = OscillatorFlow<double>;
 
 /// Steps a dense-output stepper over one stretch.
 template <class Stepper, class System, class Vector>
-void advance(Stepper& stepper, const System& system, const Stretch& stretch, State& state, std::vector<double>& values, Vector y,
-             double first_step) {
+void advance(Stepper& stepper, const System& system, const Stretch& stretch, State& state, std::vector<double>& values,
+             Vector y, double first_step) {
   const double sign = static_cast<int>(stretch.regime);
   const auto& times = stretch.problem.times;
   y[0] = state.stretch;
@@ -38,7 +38,8 @@ void advance(Stepper& stepper, const System& system, const Stretch& stretch, Sta
   for (long steps = 0; steps < too_many; ++steps) {
     const auto [from, to] = stepper.do_step(system);
     double end = std::min(to, stretch.target);
-    const bool crosses = rate_at(end) < 0 && from + 1e-3 * (end - from) < end && rate_at(from + 1e-3 * (end - from)) > 0;
+    const bool crosses =
+        rate_at(end) < 0 && from + 1e-3 * (end - from) < end && rate_at(from + 1e-3 * (end - from)) > 0;
     if (crosses) {
       std::uintmax_t iterations = 100;
       end = boost::math::tools::toms748_solve(rate_at, from + 1e-3 * (end - from), end,
@@ -85,16 +86,15 @@ std::vector<double> by_odeint_rosenbrock4(const Problem& problem, double toleran
   std::vector<double> values;
   walk(problem, [&](const Stretch& stretch, State& state) {
     const Flow flow(problem.oscillator, stretch.pressure, stretch.regime);
-    const StiffSystem system{
-        [&](const Vector& y, double t) -> Vector {
-          const Flow::State r = flow.rate(t, {y[0], y[1]});
-          return {r[0], r[1]};
-        },
-        [&](const Vector& y, double t) -> std::pair<std::array<double, 4>, Vector> {
-          const auto at = flow.linearize(t, {y[0], y[1]});
-          return {{at.jacobian(0, 0), at.jacobian(0, 1), at.jacobian(1, 0), at.jacobian(1, 1)},
-                  {at.time_derivative[0], at.time_derivative[1]}};
-        }};
+    const StiffSystem system{[&](const Vector& y, double t) -> Vector {
+                               const Flow::State r = flow.rate(t, {y[0], y[1]});
+                               return {r[0], r[1]};
+                             },
+                             [&](const Vector& y, double t) -> std::pair<std::array<double, 4>, Vector> {
+                               const auto at = flow.linearize(t, {y[0], y[1]});
+                               return {{at.jacobian(0, 0), at.jacobian(0, 1), at.jacobian(1, 0), at.jacobian(1, 1)},
+                                       {at.time_derivative[0], at.time_derivative[1]}};
+                             }};
     advance(stepper, system, stretch, state, values, Vector{}, first_step(stretch, state, tolerance));
   });
   return values;

@@ -29,13 +29,14 @@ using Method = std::function<std::vector<double>(const Problem&, double toleranc
 [[nodiscard]] std::vector<double> by_cvode_bdf(const Problem& problem, double tolerance);
 [[nodiscard]] std::vector<double> by_cvode_adams(const Problem& problem, double tolerance);
 
-/// Boost.Odeint with dense output and events bisected on it: explicit Dormand-Prince 5, and Rosenbrock 4 with analytic Jacobian.
+/// Boost.Odeint with dense output and events bisected on it: explicit Dormand-Prince 5, and Rosenbrock 4 with analytic
+/// Jacobian.
 [[nodiscard]] std::vector<double> by_odeint_dopri5(const Problem& problem, double tolerance);
 [[nodiscard]] std::vector<double> by_odeint_rosenbrock4(const Problem& problem, double tolerance);
 
-/// Walks a problem from knot to knot and regime to regime; `advance` integrates one stretch of one regime under one smooth
-/// pressure up to `target` or to dR/dT = 0, whichever comes first, and changes time and state (rate exactly 0 at an event).
-/// It is handed the times to report on the way through `report`.
+/// Walks a problem from knot to knot and regime to regime; `advance` integrates one stretch of one regime under one
+/// smooth pressure up to `target` or to dR/dT = 0, whichever comes first, and changes time and state (rate exactly 0 at
+/// an event). It is handed the times to report on the way through `report`.
 struct Stretch {
   const Problem& problem;
   const SmoothPressure<double>& pressure;

@@ -16,7 +16,8 @@ namespace turgor::bench {
 std::vector<double> by_turgor(const Problem& problem, double tolerance) {
   SimulationOptions<double> options;
   options.rtol = options.atol = tolerance;
-  const auto trajectory = simulate(problem.oscillator, 0.0, problem.stretch, problem.rate, problem.times.back(), options);
+  const auto trajectory =
+      simulate(problem.oscillator, 0.0, problem.stretch, problem.rate, problem.times.back(), options);
   std::vector<double> values;
   for (const double time : problem.times) values.push_back(trajectory.at(time).stretch);
   return values;
@@ -45,13 +46,18 @@ std::vector<Problem> problems() {
     const auto& first = entries.front();
     const auto p = test::paper_balloon<double>(first.input("r_ch"), first.input("L_ch"));
     const bool forced = first.has("p_max");
-    const auto program = forced ? test::up_hold_down(first.input("p_max"), first.input("t1"), first.input("t2"), first.input("t3"))
-                                : constant_pressure(first.input("P"));
-    std::string name = std::string(forced ? "forced " : "free ") + first.text("eq") + " r_ch=" + first.inputs.at("r_ch").dump() +
-                       " R0=" + first.inputs.at("R0").dump();
+    const auto program =
+        forced ? test::up_hold_down(first.input("p_max"), first.input("t1"), first.input("t2"), first.input("t3"))
+               : constant_pressure(first.input("P"));
+    std::string name = std::string(forced ? "forced " : "free ") + first.text("eq") +
+                       " r_ch=" + first.inputs.at("r_ch").dump() + " R0=" + first.inputs.at("R0").dump();
     if (!forced) name += " P=" + std::to_string(std::lround(first.input("P")));
-    Problem problem{name, Oscillator<double>(model_of(first.text("eq")), p, program, test::si_scales(p)), first.input("R0"),
-                    first.input("v0"), {}, {}};
+    Problem problem{name,
+                    Oscillator<double>(model_of(first.text("eq")), p, program, test::si_scales(p)),
+                    first.input("R0"),
+                    first.input("v0"),
+                    {},
+                    {}};
     for (const auto& entry : entries) {
       if (entry.input("t") <= 0) continue;
       problem.times.push_back(entry.input("t"));

@@ -190,12 +190,20 @@ class Simulation {
   /// its net.
   template <class Function>
   T locate(const OscillatorFlow<T>& flow, const Linearization<T, 2>& at, T lo, T hi, T x, const Function& function) {
+    T last_x(0);
+    T last_value(0);
     for (int i = 0; i < 200; ++i) {
-      const auto [value, slope] = function(attempt(flow, at, x).end);
+      auto [value, slope] = function(attempt(flow, at, x).end);
+      if (i > 0 && x != last_x) slope = (value - last_value) / (x - last_x);
       (value > T(0) ? lo : hi) = x;
       T next = x - value / slope;
       if (!(next > lo && next < hi)) next = (lo + hi) / 2;
-      if (std::abs(next - x) <= 2 * epsilon<T> * x || value == T(0)) return x;
+      const T correction = std::abs(next - x);
+      // Once corrections are small and no longer shrink, they are rounding.
+      const bool rounding = i > 0 && correction < T(1e-9) * x && 2 * correction > std::abs(x - last_x);
+      if (rounding || correction <= 32 * epsilon<T> * x || value == T(0)) return x;
+      last_x = x;
+      last_value = value;
       x = next;
     }
     return x;
