@@ -17,7 +17,7 @@ namespace turgor::test {
 class Folder {
  public:
   Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "turgor-test-XXXXXX").string();
+    std::string name = (std::filesystem::temp_directory_path() / "turgor-test-").string() + std::string(6, 'X');
     path_ = mkdtemp(name.data());
   }
   ~Folder() {
