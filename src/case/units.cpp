@@ -32,9 +32,9 @@ InvalidInput wrong(std::string problem, std::string advice = {}) {
   return InvalidInput("", "", std::move(problem), std::move(advice));
 }
 
-Unit parse_unit(const std::string& text) {
+Unit parse_unit(const std::string& text, const std::string& advice) {
   Unit unit(ut_parse(database(), text.c_str(), UT_UTF8));
-  if (!unit) throw wrong("unknown unit \"" + text + "\"");
+  if (!unit) throw wrong("unknown unit \"" + text + "\"", advice);
   return unit;
 }
 
@@ -59,8 +59,8 @@ bool has_radians(const ut_unit* unit) {
 }
 
 double factor(const std::string& from, const std::string& to) {
-  const Unit a = parse_unit(from);
-  const Unit b = parse_unit(to);
+  const Unit a = parse_unit(from, "write for example " + example_of(to));
+  const Unit b = parse_unit(to, {});
   // ut_are_convertible also says yes to reciprocals (s and Hz), and radians count as dimensionless (rpm and Hz), so the
   // quotient and its spelling decide.
   const Unit quotient(ut_divide(a.get(), b.get()));
