@@ -27,17 +27,19 @@ void walk(const Trajectory<double>& trajectory, Regime regime, const Use& use) {
   }
 }
 
-/// Of the points that share a column, the first, the lowest, the highest and the last, in order.
+/// Leaves columns of few points as they are. Of a crowded one the first, the lowest, the highest and the last stay,
+/// whatever gaps lie between them: what happens inside a column is not seen.
 class Envelope {
  public:
   explicit Envelope(double column) : width_(column) {}
 
   void add(const CurvePoint& point) {
     const double column = std::floor(point.x / width_);
-    if (point.gap || column != column_) flush();
+    if (column != column_) flush();
     column_ = column;
     held_.push_back(point);
-    if (held_.size() > 64) thin();
+    constexpr std::size_t crowded = 32;
+    if (held_.size() > crowded) thin();
   }
   Curve finish() {
     flush();
@@ -46,15 +48,14 @@ class Envelope {
 
  private:
   void thin() {
-    if (held_.size() <= 4) return;
-    const auto by_y = [](const CurvePoint& a, const CurvePoint& b) { return a.y < b.y; };
-    const auto [low, high] = std::minmax_element(held_.begin() + 1, held_.end() - 1, by_y);
+    const auto [low, high] = std::minmax_element(held_.begin() + 1, held_.end() - 1,
+                                                 [](const CurvePoint& a, const CurvePoint& b) { return a.y < b.y; });
     Curve kept{held_.front(), *low, *high, held_.back()};
-    if (high->x < low->x) std::swap(kept[1], kept[2]);
+    if (high < low) std::swap(kept[1], kept[2]);
+    for (std::size_t i = 1; i < kept.size(); ++i) kept[i].gap = false;
     held_ = std::move(kept);
   }
   void flush() {
-    thin();
     curve_.insert(curve_.end(), held_.begin(), held_.end());
     held_.clear();
   }
