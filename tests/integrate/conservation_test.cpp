@@ -109,6 +109,48 @@ TEST(FirstIntegral, GivesTheRateWhileDeflating) {
   }
 }
 
+// Deflating from rest by (2.22): (mu w)' = -2 K F mu/N with N = a0 + (b + m) R^4, c^4 = a0/(b + m) and
+// mu = N^(b/(b+m)) exp(-(2n/(b+m)) [R^3/3 - c^4 J]), J' = R^2/(R^4 + c^4). Only ratios mu(s)/mu(R) are needed.
+TEST(FirstIntegral, GivesTheRateOfTheFullModelWhileDeflating) {
+  using boost::math::quadrature::gauss_kronrod;
+  for (const double channel_length : {0.0, 0.05, 0.5}) {
+    const auto p = paper_balloon<double>(0.03, channel_length);
+    const double pressure = 30e3;  // below the lower limit point
+    const double start = 1.5;
+    const auto scales = natural_scales(p, constant_pressure(pressure), 1.0);
+    const Oscillator<double> oscillator(Model::full, p, constant_pressure(pressure), scales);
+    const double P = pressure / scales.pressure;
+    const auto& g = oscillator.dimensionless_groups();
+    const double liquid = g.b + g.m;
+    const double c4 = g.a0 / liquid;
+    auto options = at_tolerance(1e-10);
+    options.atol = 1e-15;
+    options.max_events = 1;
+    const auto trajectory = simulate(oscillator, 0.0, start, 0.0, 1e5, options);
+    ASSERT_EQ(trajectory.outcome, Outcome::max_events);
+    double largest = 0;
+    for (const auto& step : trajectory.steps) largest = std::max(largest, std::abs(step.rate_at(0)));
+    const auto N = [&](double x) { return g.a0 + liquid * std::pow(x, 4); };
+    for (std::size_t i = 1; i < trajectory.steps.size(); i += 5) {
+      const double R = trajectory.steps[i].stretch_at(0);
+      const auto integrand = [&](double s) {
+        const double J =
+            gauss_kronrod<double, 31>::integrate([&](double x) { return x * x / (std::pow(x, 4) + c4); }, R, s, 0);
+        const double exponent = (s * s * s - R * R * R) / 3 - c4 * J;
+        const double mu_ratio = std::pow(N(s) / N(R), g.b / liquid) * std::exp(-2 * g.n / liquid * exponent);
+        return -2 * g.K * oscillator.force_at_rest(s, P) / N(s) * mu_ratio;
+      };
+      double w = 0;
+      const double width = liquid / (2 * g.n * R * R);  // of the exponential
+      for (double from = R; from < start && from < R + 50 * width; from += width) {
+        w += gauss_kronrod<double, 31>::integrate(integrand, from, std::min(from + width, start), 0);
+      }
+      EXPECT_NEAR(-trajectory.steps[i].rate_at(0), std::sqrt(std::max(0.0, w)), 1e-9 * largest)
+          << "L_ch = " << channel_length << " at R = " << R;
+    }
+  }
+}
+
 std::uint64_t random_seed() {
   if (const char* given = std::getenv("TURGOR_TEST_SEED")) return std::strtoull(given, nullptr, 10);
   return std::random_device{}();
