@@ -17,7 +17,7 @@ struct SimulationOptions {
   T rest_tol = T(0);                       ///< stop at an event this close (in R) to a stable equilibrium; 0: never
   T max_stretch = T(0);                    ///< stretch at which the wall bursts; 0: never
   T runaway_stretch = T(largest_stretch);  ///< stretch beyond which the balloon counts as running away
-  long max_steps = 5'000'000;              ///< bounds memory: a step takes about 130 bytes
+  long max_steps = 5'000'000;              ///< bounds memory: a step takes about 160 bytes
   /// Called after every step with the time reached; returning false ends the run as `interrupted`.
   std::function<bool(const T&)> keep_going;
 };

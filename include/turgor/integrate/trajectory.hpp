@@ -46,21 +46,28 @@ struct RegimeEvent {
   Regime after;
 };
 
-/// The solution over one step, as polynomials in theta = (time - start)/duration with coefficients from degree 0 on.
+/// Greatest degree of dense output: what the explicit pair of order 8 has; lower ones are padded with zeros.
+inline constexpr int dense_degree = 7;
+
+/// Coefficients of a polynomial in theta, from degree 0 on.
+template <class T>
+using DensePolynomial = std::array<T, dense_degree + 1>;
+
+/// The solution over one step, as polynomials in theta = (time - start)/duration.
 template <class T>
 struct TrajectoryStep {
   T start;
   T duration;
   Regime regime;
-  std::array<T, 5> stretch;
-  std::array<T, 5> rate;
+  DensePolynomial<T> stretch;
+  DensePolynomial<T> rate;
 
   [[nodiscard]] T stretch_at(const T& theta) const { return evaluate(stretch, theta); }
   [[nodiscard]] T rate_at(const T& theta) const { return evaluate(rate, theta); }
 
  private:
-  [[nodiscard]] static T evaluate(const std::array<T, 5>& c, const T& x) {
-    return (((c[4] * x + c[3]) * x + c[2]) * x + c[1]) * x + c[0];
+  [[nodiscard]] static T evaluate(const DensePolynomial<T>& c, const T& x) {
+    return ((((((c[7] * x + c[6]) * x + c[5]) * x + c[4]) * x + c[3]) * x + c[2]) * x + c[1]) * x + c[0];
   }
 };
 
