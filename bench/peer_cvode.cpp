@@ -6,14 +6,13 @@
 
 #include <stdexcept>
 
-#include "integrate/oscillator_flow.hpp"
 #include "peers.hpp"
 
 namespace turgor::bench {
 
 namespace {
 
-using Flow = OscillatorFlow<double>;
+using Flow = PeerFlow;
 
 int rate(realtype t, N_Vector y, N_Vector rates, void* data) {
   const auto& flow = **static_cast<const Flow**>(data);

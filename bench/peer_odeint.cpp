@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <utility>
 
-#include "integrate/oscillator_flow.hpp"
 #include "odeint_rosenbrock4.hpp"
 #include "peers.hpp"
 
@@ -18,7 +17,7 @@ namespace turgor::bench {
 namespace {
 
 namespace odeint = boost::numeric::odeint;
-using Flow = OscillatorFlow<double>;
+using Flow = PeerFlow;
 
 /// Steps a dense-output stepper over one stretch.
 template <class Stepper, class System, class Vector>

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "turgor/integrate/oscillator_flow.hpp"
 #include "turgor/integrate/simulate.hpp"
 
 namespace turgor::bench {
@@ -18,6 +19,28 @@ struct Problem {
   double rate;
   std::vector<double> times;      ///< increasing; the last is the end
   std::vector<double> reference;  ///< R at these times
+};
+
+/// The very right-hand side that this project's own integrator calls, so that methods are compared and not functions.
+class PeerFlow {
+ public:
+  using Solid = MooneyRivlin<double>;
+  using State = OscillatorFlow<double, Solid>::State;
+
+  PeerFlow(const Oscillator<double>& oscillator, const SmoothPressure<double>& pressure, Regime regime)
+      : numbers_(flow_numbers(oscillator, pressure, regime)),
+        solid_(std::get<Solid>(oscillator.parameters().material)),
+        harmonic_(numbers_.forcing.amplitude != 0) {}
+
+  [[nodiscard]] State rate(double t, const State& y) const { return flow().rate(t, y); }
+  [[nodiscard]] Linearization<double, 2> linearize(double t, const State& y) const { return flow().linearize(t, y); }
+
+ private:
+  [[nodiscard]] OscillatorFlow<double, Solid> flow() const { return {numbers_, solid_, harmonic_}; }
+
+  FlowNumbers<double> numbers_;
+  Solid solid_;
+  bool harmonic_;
 };
 
 /// R at a problem's times, by some method at some tolerance (relative and absolute).

@@ -10,7 +10,7 @@ namespace {
 
 /// y' = lambda (y - sin t) + cos t with y = sin t: Prothero & Robinson's test, stiff for large negative lambda.
 struct ProtheroRobinson {
-  using Scalar = double;
+  using Value = double;
   static constexpr int size = 1;
   using State = Eigen::Matrix<double, 1, 1>;
   double lambda;
@@ -26,7 +26,7 @@ struct ProtheroRobinson {
 
 /// y1' = y2, y2' = -y1^3 - t y2: nonlinear, not autonomous, not stiff; no closed solution.
 struct Nonlinear {
-  using Scalar = double;
+  using Value = double;
   static constexpr int size = 2;
   using State = Eigen::Matrix<double, 2, 1>;
 
@@ -119,7 +119,7 @@ TEST(Rodas5P, DampsInfinitelyStiffComponents) {
 
 // Systems beyond two unknowns go through LU: two copies of the nonlinear problem must move as the one does.
 struct TwoCopies {
-  using Scalar = double;
+  using Value = double;
   static constexpr int size = 4;
   using State = Eigen::Matrix<double, 4, 1>;
   Nonlinear one;

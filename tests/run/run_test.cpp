@@ -65,9 +65,10 @@ TEST(PhysicalState, FlowRateIsTheRateOfVolume) {
 
 TEST(Quantities, AreTakenFromDenseOutputAndEvents) {
   const RunResult result = run_case(paper_case({"solve.samples=2"}));
-  // The first turning point of the forced balloon, from the reference values (event_R_forced, event_time_forced).
+  // The first turning point of the forced balloon, from the reference values (event_R_forced, event_time_forced). R is
+  // flat there and P all but constant, so that its time is ill-conditioned: rtol = 1e-9 leaves it to some 1e-6 s.
   EXPECT_NEAR(*result.quantity("peak_stretch"), 1.174653081327853, 1e-9);
-  EXPECT_NEAR(*result.quantity("first_event_time"), 1.9945249, 2e-6);
+  EXPECT_NEAR(*result.quantity("first_event_time"), 1.9945249, 1e-5);
   EXPECT_EQ(*result.quantity("events"), 315);
   const double rise = *result.quantity("rise_time");
   EXPECT_GT(rise, 0.9);  // the smooth ramp itself goes from 10 % to 90 % in 1.01 s

@@ -1,20 +1,11 @@
 #pragma once
 // One step of a Rosenbrock method for small stiff systems y' = f(t, y) with analytic Jacobian and time derivative.
 
-#include <array>
 #include <type_traits>
 
-#include <Eigen/Dense>
+#include "turgor/integrate/step.hpp"
 
 namespace turgor {
-
-/// f, df/dy and df/dt at the start of a step; shared by every attempt to step from there.
-template <class T, int N>
-struct Linearization {
-  Eigen::Matrix<T, N, 1> rate;
-  Eigen::Matrix<T, N, N> jacobian;
-  Eigen::Matrix<T, N, 1> time_derivative;
-};
 
 /// Rodas5P: 8 stages, order 5 with an embedded order 4, L-stable and stiffly accurate, dense output of order 4.
 ///
@@ -23,7 +14,7 @@ struct Linearization {
 /// form of E. Hairer & G. Wanner, Solving Ordinary Differential Equations II, section IV.7, eq. (7.25).
 template <class T>
 struct Rodas5P {
-  static constexpr int stages = 8;
+  static constexpr std::size_t stages = 8;
   static constexpr int order = 5;
 
   static constexpr T gamma = T(0.21193756319429014L);
@@ -79,21 +70,21 @@ struct Rodas5P {
   }};
 };
 
-/// A completed step of size h from y: the new state, an estimate of its local error, and the solution in between as a
-/// polynomial in theta = (t - t_start)/h, monomial coefficients from degree 0 to 4.
-template <class T, int N>
+/// A completed step of size h from y: the new state, an estimate of its local error, and the solution in between.
+template <class V, int N>
 struct RosenbrockStep {
-  Eigen::Matrix<T, N, 1> end;
-  Eigen::Matrix<T, N, 1> error;
-  std::array<Eigen::Matrix<T, N, 1>, 5> polynomial;
+  using State = Eigen::Matrix<V, N, 1>;
+  State end;
+  State error;
+  DenseState<State> polynomial;  ///< of degree 4
 };
 
 /// Solves linear systems with one small matrix: by its inverse in closed form where there is one, by LU else.
-template <class T, int N>
+template <class V, int N>
 class SmallSolver {
  public:
-  using Matrix = Eigen::Matrix<T, N, N>;
-  using Vector = Eigen::Matrix<T, N, 1>;
+  using Matrix = Eigen::Matrix<V, N, N>;
+  using Vector = Eigen::Matrix<V, N, 1>;
 
   explicit SmallSolver(const Matrix& matrix) : factors_(factorized(matrix)) {}
   [[nodiscard]] Vector solve(const Vector& right) const {
@@ -105,14 +96,19 @@ class SmallSolver {
   }
 
  private:
-  static constexpr bool closed_form = N != Eigen::Dynamic && N <= 2;
+  static constexpr bool closed_form = N == 1 || N == 2;
   using Factors = std::conditional_t<closed_form, Matrix, Eigen::PartialPivLU<Matrix>>;
 
-  static Factors factorized(const Matrix& matrix) {
-    if constexpr (closed_form) {
-      return matrix.inverse();
+  static Factors factorized(const Matrix& m) {
+    if constexpr (N == 1) {
+      return Matrix(V(1) / m(0, 0));
+    } else if constexpr (N == 2) {
+      const V scale = V(1) / (m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0));
+      Matrix inverse;
+      inverse << m(1, 1) * scale, -m(0, 1) * scale, -m(1, 0) * scale, m(0, 0) * scale;
+      return inverse;
     } else {
-      return Factors(matrix);
+      return Factors(m);
     }
   }
 
@@ -120,39 +116,61 @@ class SmallSolver {
 };
 
 /// Takes one Rodas5P step of size h > 0.
-/// @param flow  has Scalar, a constant `size`, and rate(t, y) -> y'
+/// @param flow  has Value, a constant `size` (or Eigen::Dynamic), and rate(t, y) -> y'
 /// @param at    linearization of the flow at (t, y)
-template <class Flow, class T = typename Flow::Scalar, int N = Flow::size>
-[[nodiscard]] RosenbrockStep<T, N> rosenbrock_step(const Flow& flow, const T& t, const Eigen::Matrix<T, N, 1>& y,
-                                                   const Linearization<T, N>& at, const T& h) {
-  using Method = Rodas5P<T>;
-  using State = Eigen::Matrix<T, N, 1>;
-  const SmallSolver<T, N> shifted(Eigen::Matrix<T, N, N>::Identity() / (Method::gamma * h) - at.jacobian);
+template <class Flow, class V = typename Flow::Value, int N = Flow::size>
+[[nodiscard]] RosenbrockStep<V, N> rosenbrock_step(const Flow& flow, const V& t, const Eigen::Matrix<V, N, 1>& y,
+                                                   const Linearization<V, N>& at, const V& h) {
+  using Method = Rodas5P<ScalarOf<V>>;
+  using State = Eigen::Matrix<V, N, 1>;
+  const V per_step = V(1) / h;
+  Eigen::Matrix<V, N, N> shifted = -at.jacobian;
+  for (Eigen::Index i = 0; i < y.size(); ++i) shifted(i, i) += V(1 / Method::gamma) * per_step;
+  const SmallSolver<V, N> solver(shifted);
 
   std::array<State, Method::stages> k;
-  State offset = State::Zero();
-  for (std::size_t i = 0; i < k.size(); ++i) {
-    State sum = State::Zero();
-    offset.setZero();
-    for (std::size_t j = 0; j < i; ++j) {
-      offset += Method::a[i][j] * k[j];
-      sum += Method::c[i][j] * k[j];
-    }
-    const State rate = i == 0 ? at.rate : flow.rate(t + Method::time[i] * h, y + offset);
-    k[i] = shifted.solve(rate + sum / h + (Method::d[i] * h) * at.time_derivative);
-  }
+  k[0] = solver.solve(at.rate + (V(Method::d[0]) * h) * at.time_derivative);
+  State end;
+  unrolled<1, Method::stages>([&](auto i) {
+    constexpr std::size_t stage = decltype(i)::value;
+    end = y + combination<stage>([](std::size_t j) { return Method::a[stage][j]; }, k);
+    const State sum = combination<stage>([](std::size_t j) { return Method::c[stage][j]; }, k);
+    State right = flow.rate(t + V(Method::time[stage]) * h, end) + per_step * sum;
+    if constexpr (Method::d[stage] != 0) right += (V(Method::d[stage]) * h) * at.time_derivative;
+    k[stage] = solver.solve(right);
+  });
 
-  RosenbrockStep<T, N> step;
-  const State increment = offset + k.back();
-  step.end = y + increment;
+  RosenbrockStep<V, N> step;
+  step.end = end + k.back();
   step.error = k.back();
   std::array<State, 3> q;
-  for (std::size_t r = 0; r < q.size(); ++r) {
-    q[r] = State::Zero();
-    for (std::size_t j = 0; j < k.size(); ++j) q[r] += Method::dense[r][j] * k[j];
+  unrolled<0, 3>([&](auto r) {
+    constexpr std::size_t row = decltype(r)::value;
+    q[row] = combination<Method::stages>([](std::size_t j) { return Method::dense[row][j]; }, k);
+  });
+  step.polynomial[0] = y;
+  step.polynomial[1] = step.end - y + q[0];
+  step.polynomial[2] = q[1] - q[0];
+  step.polynomial[3] = q[2] - q[1];
+  step.polynomial[4] = -q[2];
+  for (std::size_t degree = 5; degree <= dense_degree; ++degree) {
+    step.polynomial[degree] = State::Constant(y.size(), V(0));
   }
-  step.polynomial = {y, increment + q[0], q[1] - q[0], q[2] - q[1], -q[2]};
   return step;
+}
+
+/// Local error relative to the tolerances, in the component where it is worst; at most 1 when the step is good enough,
+/// not a number when it went astray.
+template <class V, int N>
+[[nodiscard]] V error_norm(const RosenbrockStep<V, N>& step, const Eigen::Matrix<V, N, 1>& y,
+                           const Tolerances<V>& tolerances) {
+  using std::abs;
+  V norm(0);
+  for (Eigen::Index i = 0; i < y.size(); ++i) {
+    const V ratio = abs(step.error[i]) / tolerances.scale(y, step.end, i);
+    norm = select(ratio <= norm, norm, ratio);  // lets a NaN through
+  }
+  return norm;
 }
 
 }  // namespace turgor

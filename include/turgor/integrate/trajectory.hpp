@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "turgor/base/regime.hpp"
+#include "turgor/integrate/dense_polynomial.hpp"
 
 namespace turgor {
 
@@ -46,13 +47,6 @@ struct RegimeEvent {
   Regime after;
 };
 
-/// Greatest degree of dense output: what the explicit pair of order 8 has; lower ones are padded with zeros.
-inline constexpr int dense_degree = 7;
-
-/// Coefficients of a polynomial in theta, from degree 0 on.
-template <class T>
-using DensePolynomial = std::array<T, dense_degree + 1>;
-
 /// The solution over one step, as polynomials in theta = (time - start)/duration.
 template <class T>
 struct TrajectoryStep {
@@ -64,21 +58,6 @@ struct TrajectoryStep {
 
   [[nodiscard]] T stretch_at(const T& theta) const { return evaluate(stretch, theta); }
   [[nodiscard]] T rate_at(const T& theta) const { return evaluate(rate, theta); }
-
- private:
-  [[nodiscard]] static T evaluate(const DensePolynomial<T>& c, const T& x) {
-    return ((((((c[7] * x + c[6]) * x + c[5]) * x + c[4]) * x + c[3]) * x + c[2]) * x + c[1]) * x + c[0];
-  }
-};
-
-/// Work done by the integrator.
-struct IntegratorStatistics {
-  long steps = 0;
-  long rejected = 0;
-  long rate_evaluations = 0;
-  long linearizations = 0;
-  long factorizations = 0;
-  long event_refinements = 0;
 };
 
 /// A solution of the oscillator from its start to where it ended, with dense output.

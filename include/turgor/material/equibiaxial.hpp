@@ -16,6 +16,13 @@ struct Jet {
   S second;
 };
 
+/// A quotient whose division is still to be done.
+template <class S>
+struct Fraction {
+  S numerator;
+  S denominator;
+};
+
 /// I1 - 3 = 2 lambda^2 + lambda^-4 - 3 and its derivatives.
 ///
 /// Written with its double zero at lambda = 1 factored out: the textbook form loses all digits of a small strain.

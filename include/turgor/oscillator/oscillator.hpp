@@ -32,6 +32,17 @@ struct Coefficients {
   T elastic, elastic_slope;          ///< E
 };
 
+/// Mass and centripetal coefficient of one regime: M = m0 + m4 R^4, Q = q3 R^3 + q6 R^6. All three models have this form.
+template <class T>
+struct Inertia {
+  T m0, m4, q3, q6;
+
+  [[nodiscard]] T mass(const T& r3, const T& R) const { return m0 + m4 * r3 * R; }
+  [[nodiscard]] T mass_slope(const T& r3) const { return 4 * m4 * r3; }
+  [[nodiscard]] T centripetal(const T& r3) const { return (q3 + q6 * r3) * r3; }
+  [[nodiscard]] T centripetal_slope(const T& r2, const T& r3) const { return (3 * q3 + 6 * q6 * r3) * r2; }
+};
+
 /// The dimensionless hybrid oscillator of one balloon, on one clock.
 template <class T>
 class Oscillator {
@@ -69,19 +80,26 @@ class Oscillator {
 
   /// M_s, Q_s, a and E at stretch R > 0 in the given regime (not `rest`).
   [[nodiscard]] Coefficients<T> coefficients(Regime regime, const T& R) const {
-    const Inertia& i = regime == Regime::deflating ? deflating_ : inflating_;
+    const Inertia<T>& i = inertia(regime);
     const ElasticTerm<T> e = elastic_term(parameters_, scales_, R);
     const T r2 = R * R;
     const T r3 = r2 * R;
-    return {i.m0 + i.m4 * r3 * R,
-            4 * i.m4 * r3,
-            (i.q3 + i.q6 * r3) * r3,
-            (3 * i.q3 + 6 * i.q6 * r3) * r2,
+    return {i.mass(r3, R),
+            i.mass_slope(r3),
+            i.centripetal(r3),
+            i.centripetal_slope(r2, r3),
             r2,
             2 * R,
             e.value,
             e.slope};
   }
+
+  /// M_s and Q_s of a regime (not `rest`).
+  [[nodiscard]] const Inertia<T>& inertia(Regime regime) const {
+    return regime == Regime::deflating ? deflating_ : inflating_;
+  }
+  /// E = elastic_factor() dW/dR.
+  [[nodiscard]] T elastic_factor() const { return turgor::elastic_factor(parameters_, scales_); }
 
   /// Force at rest, a(R) P - E(R): its sign chooses the regime in which the balloon leaves a state of rest.
   [[nodiscard]] T force_at_rest(const T& R, const T& P) const {
@@ -102,18 +120,13 @@ class Oscillator {
   [[nodiscard]] const Groups<T>& dimensionless_groups() const { return groups_; }
 
  private:
-  /// M = m0 + m4 R^4, Q = q3 R^3 + q6 R^6.
-  struct Inertia {
-    T m0, m4, q3, q6;
-  };
-
   Model model_;
   Parameters<T> parameters_;
   PressureProgram<T> program_;
   Scales<T> scales_;
   Groups<T> groups_;
-  Inertia inflating_{};
-  Inertia deflating_{};
+  Inertia<T> inflating_{};
+  Inertia<T> deflating_{};
 };
 
 }  // namespace turgor

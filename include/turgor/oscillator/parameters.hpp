@@ -75,9 +75,13 @@ struct ElasticTerm {
   T slope;
 };
 template <class T>
+[[nodiscard]] T elastic_factor(const Parameters<T>& p, const Scales<T>& scales) {
+  return p.thickness / (p.radius * scales.pressure);
+}
+template <class T>
 [[nodiscard]] ElasticTerm<T> elastic_term(const Parameters<T>& p, const Scales<T>& scales, const T& stretch) {
   const Jet<T> w = strain_energy(p.material, stretch);
-  const T factor = p.thickness / (p.radius * scales.pressure);
+  const T factor = elastic_factor(p, scales);
   return {factor * w.first, factor * w.second};
 }
 

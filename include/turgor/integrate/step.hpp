@@ -1,0 +1,111 @@
+#pragma once
+// What the one-step methods share. Their scalar type is double, long double, or a SIMD batch of doubles whose lanes are
+// independent balloons; nothing here may let one lane's values depend on another's.
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include <Eigen/Dense>
+
+namespace turgor {
+
+/// What a scalar type is made of: itself, one lane wide. Specialised for SIMD batches.
+template <class V>
+struct Lanes {
+  using Scalar = V;
+  static constexpr int width = 1;
+};
+template <class V>
+using ScalarOf = typename Lanes<V>::Scalar;
+
+/// Lane-wise choice; SIMD batches have their own by the same name.
+template <class T>
+[[nodiscard]] constexpr T select(bool condition, const T& yes, const T& no) {
+  return condition ? yes : no;
+}
+[[nodiscard]] constexpr bool any(bool condition) { return condition; }
+
+/// One lane of a value.
+template <class V>
+[[nodiscard]] ScalarOf<V>& lane(V& value, int index) {
+  return reinterpret_cast<ScalarOf<V>*>(&value)[index];
+}
+template <class V>
+[[nodiscard]] const ScalarOf<V>& lane(const V& value, int index) {
+  return reinterpret_cast<const ScalarOf<V>*>(&value)[index];
+}
+/// A function without a SIMD form that treats all lanes alike.
+template <class V, class Function>
+[[nodiscard]] V lane_by_lane(V value, const Function& function) {
+  for (int l = 0; l < Lanes<V>::width; ++l) lane(value, l) = function(lane(value, l));
+  return value;
+}
+/// Bit l is set where lane l of a condition holds.
+[[nodiscard]] constexpr unsigned bits(bool condition) { return condition ? 1U : 0U; }
+
+/// Greatest degree of dense output: what the explicit pair of order 8 has; lower ones are padded with zeros.
+inline constexpr int dense_degree = 7;
+
+/// The solution over a step as a polynomial in theta = (t - t_start)/h: coefficients of all components by degree.
+template <class State>
+using DenseState = std::array<State, dense_degree + 1>;
+
+/// f, df/dy and df/dt at the start of a step; shared by every attempt to step from there.
+template <class V, int N>
+struct Linearization {
+  Eigen::Matrix<V, N, 1> rate;
+  Eigen::Matrix<V, N, N> jacobian;
+  Eigen::Matrix<V, N, 1> time_derivative;
+};
+
+/// Calls action(std::integral_constant<std::size_t, i>) for i = first ... last - 1, unrolled.
+template <std::size_t first, std::size_t last, class Action>
+constexpr void unrolled(Action&& action) {
+  [&]<std::size_t... i>(std::index_sequence<i...>) {
+    (action(std::integral_constant<std::size_t, first + i>()), ...);
+  }(std::make_index_sequence<last - first>());
+}
+
+/// sum over j < terms of weight(j) k[j], unrolled, vanishing weights left out. The first weight must not vanish.
+/// @param weight  a lambda without captures, so that it can be evaluated while compiling
+template <std::size_t terms, class Weight, class State, std::size_t count>
+[[nodiscard]] State combination(Weight, const std::array<State, count>& k) {
+  using V = typename State::Scalar;
+  static_assert(terms > 0 && terms <= count && Weight()(0) != 0);
+  State sum = V(Weight()(0)) * k[0];
+  unrolled<1, terms>([&](auto j) {
+    constexpr auto weight = Weight()(decltype(j)::value);
+    if constexpr (weight != 0) sum += V(weight) * k[j];
+  });
+  return sum;
+}
+
+/// Work done by the integrator, over all lanes.
+struct IntegratorStatistics {
+  long steps = 0;
+  long rejected = 0;
+  long rate_evaluations = 0;
+  long linearizations = 0;
+  long factorizations = 0;
+  long event_refinements = 0;
+};
+
+/// Tolerances of a step, by lane.
+template <class V>
+struct Tolerances {
+  V rtol;
+  V atol;
+
+  /// What an error in component i is measured by.
+  template <class State>
+  [[nodiscard]] V scale(const State& start, const State& end, Eigen::Index i) const {
+    using std::abs;
+    using std::max;
+    return atol + rtol * max(abs(start[i]), abs(end[i]));
+  }
+};
+
+}  // namespace turgor
