@@ -72,8 +72,8 @@ Regime regime_from_rest(const Oscillator<T>& oscillator, const SmoothPressure<T>
 }
 
 template <class T>
-Trajectory<T> simulate(const Oscillator<T>& oscillator, const T& start_time, const T& stretch, const T& rate,
-                       const T& end_time, const SimulationOptions<T>& options) {
+void check_start(const Oscillator<T>& oscillator, const T& start_time, const T& stretch, const T& rate,
+                 const T& end_time, const SimulationOptions<T>& options) {
   const auto text = [](const T& x) { return shortest(static_cast<double>(x)); };
   if (!(stretch > T(0)) || !std::isfinite(strain_energy(oscillator.parameters().material, stretch).first)) {
     throw InvalidInput("initial.stretch", text(stretch), "not a stretch this material can have",
@@ -88,6 +88,12 @@ Trajectory<T> simulate(const Oscillator<T>& oscillator, const T& start_time, con
     throw InvalidInput("solve.t_end", text(end_time), "must be finite and later than the start",
                        "the start is " + text(start_time));
   }
+}
+
+template <class T>
+Trajectory<T> simulate(const Oscillator<T>& oscillator, const T& start_time, const T& stretch, const T& rate,
+                       const T& end_time, const SimulationOptions<T>& options) {
+  check_start(oscillator, start_time, stretch, rate, end_time, options);
   Recorder<T> recorder;
   OscillatorLanes<T, Recorder<T>> lanes(oscillator.parameters().material, Method::explicit_pair, recorder);
   lanes.load(0, oscillator, start_time, stretch, rate, end_time, options);
@@ -100,6 +106,8 @@ template Trajectory<double> simulate(const Oscillator<double>&, const double&, c
 template Trajectory<long double> simulate(const Oscillator<long double>&, const long double&, const long double&,
                                           const long double&, const long double&,
                                           const SimulationOptions<long double>&);
+template void check_start(const Oscillator<double>&, const double&, const double&, const double&, const double&,
+                          const SimulationOptions<double>&);
 template Regime regime_from_rest(const Oscillator<double>&, const SmoothPressure<double>&, const double&,
                                  const double&);
 template Regime regime_from_rest(const Oscillator<long double>&, const SmoothPressure<long double>&, const long double&,

@@ -42,6 +42,7 @@ enum class Method {
 ///   - on_event(integrator, lane, i): the lane stands at event i, that component exactly at its level
 ///   - on_target(integrator, lane): the lane stands at its target time
 ///   - on_stall(integrator, lane): the step size fell below what the clock resolves
+///   - on_method_due(integrator, lane): of several lanes, this one wants the other method
 ///   - on_steps(integrator, condition, start, h, dense output): lanes that satisfy the condition took a step; they
 ///     already stand at its end. May retire lanes.
 /// on_event and on_target change the lane's regime or state as they see fit and call restart(), aim() or retire().
@@ -52,11 +53,6 @@ concept HybridSystem = requires {
   { System::stiff } -> std::convertible_to<bool>;
 };
 
-using std::abs;
-using std::max;
-using std::min;
-using std::sqrt;
-
 template <HybridSystem System>
 class HybridIntegrator {
  public:
@@ -66,6 +62,16 @@ class HybridIntegrator {
   static constexpr int width = Lanes<V>::width;
   using State = Eigen::Matrix<V, N, 1>;
   using Condition = decltype(V(0) > V(0));
+
+  /// Step sizes at the beginning of a stretch are remembered for the next stretch of the same kind: half-cycles
+  /// resemble each other, and error estimates there are fooled by the symmetry about a state of rest.
+  static constexpr std::size_t remembered = 4;
+  struct Notes {
+    int kind = -1;          ///< of the stretch under way
+    std::size_t steps = 0;  ///< taken in it
+    bool keeps_size = false;
+    std::array<std::array<T, remembered>, 2> sizes{};
+  };
 
   HybridIntegrator(System& system, Method method) : system_(system), method_(method) {}
 
@@ -82,6 +88,7 @@ class HybridIntegrator {
   [[nodiscard]] T& component(int l, Eigen::Index i) { return lane(state_[i], l); }
   [[nodiscard]] const T& component(int l, Eigen::Index i) const { return lane(state_[i], l); }
   [[nodiscard]] const V& component(Eigen::Index i) const { return state_[i]; }
+  [[nodiscard]] const V& time() const { return time_; }
   [[nodiscard]] T& time(int l) { return lane(time_, l); }
   [[nodiscard]] const T& time(int l) const { return lane(time_, l); }
   [[nodiscard]] const T& target(int l) const { return lane(target_, l); }
@@ -97,6 +104,47 @@ class HybridIntegrator {
   /// The lane is done.
   void retire(int l) { lane(running_, l) = T(0); }
 
+  [[nodiscard]] Method method() const { return method_; }
+
+  /// All about one lane, to go on with it elsewhere.
+  struct Parked {
+    T time, target, size, growth_limit, caution;
+    Tolerances<T> tolerances;
+    std::array<T, static_cast<std::size_t>(N > 0 ? N : 0)> state;
+    Notes notes;
+    bool fresh;
+  };
+  [[nodiscard]] Parked park(int l) const
+    requires(N > 0)
+  {
+    Parked parked{lane(time_, l),
+                  lane(target_, l),
+                  lane(size_, l),
+                  lane(growth_limit_, l),
+                  lane(caution_, l),
+                  {lane(tolerances_.rtol, l), lane(tolerances_.atol, l)},
+                  {},
+                  notes_[static_cast<std::size_t>(l)],
+                  (fresh_ >> l & 1U) != 0};
+    for (std::size_t i = 0; i < parked.state.size(); ++i) {
+      parked.state[i] = lane(state_[static_cast<Eigen::Index>(i)], l);
+    }
+    return parked;
+  }
+  void resume(int l, const Parked& parked)
+    requires(N > 0)
+  {
+    load(l, parked.time, parked.target, parked.tolerances);
+    lane(size_, l) = parked.size;
+    lane(growth_limit_, l) = parked.growth_limit;
+    lane(caution_, l) = parked.caution;
+    for (std::size_t i = 0; i < parked.state.size(); ++i) {
+      component(l, static_cast<Eigen::Index>(i)) = parked.state[i];
+    }
+    notes(l) = parked.notes;
+    if (!parked.fresh) fresh_ &= ~(1U << l);
+  }
+
   [[nodiscard]] bool running() const { return any(running_ > V(0)); }
   [[nodiscard]] bool running(int l) const { return lane(running_, l) > T(0); }
   [[nodiscard]] IntegratorStatistics& statistics() { return statistics_; }
@@ -108,6 +156,7 @@ class HybridIntegrator {
 
   /// One attempt of a step in every lane.
   void advance() {
+    using std::min;
     if (fresh_ != 0) start_lanes();
     const Condition active = running_ > V(0);
     const V left = target_ - time_;
@@ -147,15 +196,6 @@ class HybridIntegrator {
   static constexpr T first_step_caution = T(30);
   static constexpr T epsilon = std::numeric_limits<T>::epsilon();
 
-  /// Step sizes at the beginning of a stretch are remembered for the next stretch of the same kind: half-cycles
-  /// resemble each other, and error estimates there are fooled by the symmetry about a state of rest.
-  static constexpr std::size_t remembered = 4;
-  struct Notes {
-    int kind = -1;          ///< of the stretch under way
-    std::size_t steps = 0;  ///< taken in it
-    std::array<std::array<T, remembered>, 2> sizes{};
-  };
-
   template <class Action>
   static void for_lanes(const Condition& which, const Action& action) {
     if (!any(which)) return;
@@ -166,13 +206,18 @@ class HybridIntegrator {
 
   /// Rates and first step sizes of lanes that were restarted: Hairer, Norsett & Wanner I, section II.4.
   void start_lanes() {
+    using std::abs;
+    using std::max;
+    using std::min;
     if constexpr (width == 1) {
       if (notes(0).kind >= 0) method_ = Method::explicit_pair;  // from rest: nothing is stiff yet
     }
     V guess(0);
     V by_rate(0);
     bool known = true;
-    for (int l = 0; l < width; ++l) known = known && ((fresh_ >> l & 1U) == 0 || known_first_step(l) > T(0));
+    for (int l = 0; l < width; ++l) {
+      known = known && ((fresh_ >> l & 1U) == 0 || notes(l).keeps_size || known_first_step(l) > T(0));
+    }
     system_.with_flow([&](const auto& flow) {
       rate_ = flow.rate(time_, state_);
       ++statistics_.rate_evaluations;
@@ -197,7 +242,7 @@ class HybridIntegrator {
       guess = steepest;
     });
     for (int l = 0; l < width; ++l) {
-      if ((fresh_ >> l & 1U) == 0) continue;
+      if ((fresh_ >> l & 1U) == 0 || std::exchange(notes(l).keeps_size, false)) continue;
       lane(growth_limit_, l) = T(10);
       notes(l).steps = 0;
       if (notes(l).kind >= 0) lane(caution_, l) = explicit_caution * first_step_caution;
@@ -254,6 +299,8 @@ class HybridIntegrator {
 
   /// What to multiply a step size by after this error; sqrt alone, so that it rounds alike everywhere.
   [[nodiscard]] V step_factor() const {
+    using std::max;
+    using std::sqrt;
     const V eighth = sqrt(sqrt(sqrt(error_)));
     const V root = method_ == Method::explicit_pair ? eighth : eighth * sqrt(eighth);  // error^(3/16), nearly 1/5
     return max(V(T(0.2)), V(T(0.9)) / root);
@@ -276,6 +323,7 @@ class HybridIntegrator {
 
   /// Lanes in which an event cannot be ruled out by the convex hull of its function.
   [[nodiscard]] Condition may_cross() const {
+    using std::min;
     V least(std::numeric_limits<T>::max());
     for (std::size_t i = 0; i < system_.crossings(); ++i) {
       const DensePolynomial<V> c = function(system_.crossing(i));
@@ -313,18 +361,21 @@ class HybridIntegrator {
     // The explicit pair is stable up to about 6 on the negative axis, but long before that it follows a solution on a
     // slow manifold in stumbles; the other method's first steps onto the manifold are short.
     const Condition due = which && (method_ == Method::explicit_pair ? h * radius > V(2) : h * radius < V(T(0.5)));
-    if (!any(due)) return;
+    for_lanes(due, [&](int l) { leave_method(l); });
+  }
+  /// A single lane changes its method; one of many is handed to others that use the other method.
+  void leave_method(int l) {
+    restart_as_is(l);
     if constexpr (width == 1) {
-      use(method_ == Method::explicit_pair ? Method::rosenbrock : Method::explicit_pair);
+      method_ = method_ == Method::explicit_pair ? Method::rosenbrock : Method::explicit_pair;
     } else {
-      for (int l = 0; l < width; ++l) {
-        if ((bits(due) >> l & 1U) != 0) system_.on_method_due(*this, l);
-      }
+      system_.on_method_due(*this, l);
     }
   }
-  void use(Method method) {
-    method_ = method;
-    system_.with_flow([&](const auto& flow) { rate_ = flow.rate(time_, state_); });
+  /// The method changes, the flow does not: the step size stays, only the rate is needed.
+  void restart_as_is(int l) {
+    fresh_ |= 1U << l;
+    notes(l).keeps_size = true;
   }
 
   /// A step of one lane that ends at its target or may have run over an event.
@@ -421,19 +472,19 @@ class HybridIntegrator {
 
   System& system_;
   Method method_;
-  V time_{0};
-  V target_{0};
-  V running_{0};
-  V size_{0};                    ///< proposed step
-  V caution_{explicit_caution};  ///< what the explicit pair's error estimate is multiplied by
-  V growth_limit_{1};            ///< by how much the next proposal may exceed the step
+  V time_ = V(0);
+  V target_ = V(0);
+  V running_ = V(0);
+  V size_ = V(0);                    ///< proposed step
+  V caution_ = V(explicit_caution);  ///< what the explicit pair's error estimate is multiplied by
+  V growth_limit_ = V(1);            ///< by how much the next proposal may exceed the step
   State state_;
   State rate_;
   Tolerances<V> tolerances_{V(1), V(1)};
   std::array<Notes, static_cast<std::size_t>(width)> notes_{};
   unsigned fresh_ = 0;
   // the last attempt
-  V error_{0};
+  V error_ = V(0);
   State end_;
   State end_rate_;
   DenseState<State> dense_;

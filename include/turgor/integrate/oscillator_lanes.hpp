@@ -61,22 +61,54 @@ class OscillatorLanes {
     integrator_.load(l, start, end, {options.rtol, options.atol});
     integrator_.component(l, 0) = stretch;
     integrator_.component(l, 1) = rate;
-    lane(burst_, l) = options.max_stretch > T(0) ? options.max_stretch : never;
-    may_burst_ = may_burst_ || options.max_stretch > T(0);
-    lane(runaway_, l) = options.runaway_stretch;
     lane(steps_, l) = T(0);
-    lane(most_steps_, l) = static_cast<T>(options.max_steps);
-    const OneMaterial set{l, oscillator.parameters().material};
-    std::visit(set, material_);
+    set_lane(l);
     go_on(l);
   }
   void run() { integrator_.run(); }
 
   [[nodiscard]] Integrator& integrator() { return integrator_; }
+  [[nodiscard]] const Integrator& integrator() const { return integrator_; }
   [[nodiscard]] const BalloonInLane<T>& balloon(int l) const { return balloons_[static_cast<std::size_t>(l)]; }
   [[nodiscard]] Point<T> point(int l) const {
     return {integrator_.time(l), integrator_.component(l, 0), integrator_.component(l, 1), balloon(l).regime};
   }
+
+  /// P(T) in every lane.
+  [[nodiscard]] V pressure(const V& time) const { return numbers_.forcing.value(time, harmonic_); }
+  /// -(M'/2 + Q) v^3: what the outflow carries off; vanishes during inflation.
+  [[nodiscard]] V dissipation_rate(const V& R, const V& v) const {
+    const V r3 = R * R * R;
+    return -(V(T(0.5)) * numbers_.inertia.mass_slope(r3) + numbers_.inertia.centripetal(r3)) * v * v * v;
+  }
+  struct Energies {
+    V kinetic;
+    V elastic;
+  };
+  [[nodiscard]] Energies energies() const {
+    const V& R = integrator_.component(0);
+    const V& v = integrator_.component(1);
+    Energies now{V(T(0.5)) * numbers_.inertia.mass(R * R * R, R) * v * v, V(0)};
+    std::visit([&](const auto& solid) { now.elastic = numbers_.elastic_factor * solid.energy(R).value; }, material_);
+    return now;
+  }
+
+  /// All about one lane, to go on with it among lanes that use another method.
+  struct Parked {
+    typename Integrator::Parked at;
+    BalloonInLane<T> balloon;
+    T steps;
+  };
+  [[nodiscard]] Parked park(int l) const { return {integrator_.park(l), balloon(l), lane(steps_, l)}; }
+  void resume(int l, const Parked& parked) {
+    own(l) = parked.balloon;
+    integrator_.resume(l, parked.at);
+    set_lane(l);
+    set_flow(l);
+    lane(steps_, l) = parked.steps;
+  }
+  /// Lanes, by bits, whose balloons want the other method; they stand still from here on.
+  [[nodiscard]] unsigned take_leaving() { return std::exchange(leaving_, 0U); }
 
   // What the integrator asks for: see HybridSystem.
 
@@ -117,6 +149,10 @@ class OscillatorLanes {
   void on_stall(Integrator&, int l) {
     fail(l, Outcome::step_failed, "the step size fell below what the clock resolves");
   }
+  void on_method_due(Integrator&, int l) {
+    leaving_ |= 1U << l;
+    integrator_.retire(l);
+  }
   template <class Condition>
   void on_steps(Integrator&, const Condition& which, const V& start, const V& h, const DenseState<State>& dense) {
     steps_ = select(which, steps_ + V(1), steps_);
@@ -153,6 +189,17 @@ class OscillatorLanes {
     }
   };
 
+  /// What stays the same for a balloon all the way.
+  void set_lane(int l) {
+    const SimulationOptions<T>& options = *balloon(l).options;
+    lane(burst_, l) = options.max_stretch > T(0) ? options.max_stretch : never;
+    may_burst_ = may_burst_ || options.max_stretch > T(0);
+    lane(runaway_, l) = options.runaway_stretch;
+    lane(most_steps_, l) = static_cast<T>(options.max_steps);
+    const OneMaterial set{l, balloon(l).oscillator->parameters().material};
+    std::visit(set, material_);
+  }
+
   [[nodiscard]] BalloonInLane<T>& own(int l) { return balloons_[static_cast<std::size_t>(l)]; }
   [[nodiscard]] const V& stretch() const { return integrator_.component(0); }
   [[nodiscard]] bool running(int l) const { return integrator_.running(l); }
@@ -184,14 +231,21 @@ class OscillatorLanes {
 
   /// Sets the flow of the present regime and pressure, and the time up to which it holds.
   void enter(int l) {
+    set_flow(l);
+    const BalloonInLane<T>& b = balloon(l);
+    integrator_.aim(l, std::min(b.end, b.oscillator->pressure().next_knot(integrator_.time(l))));
+    const bool at_rest = integrator_.component(l, 1) == T(0);
+    const int from_rest = b.regime == Regime::inflating ? 0 : 1;
+    integrator_.restart(l, at_rest ? from_rest : -1);
+    // From rest nothing is stiff yet.
+    if (width > 1 && at_rest && integrator_.method() == Method::rosenbrock) on_method_due(integrator_, l);
+  }
+  void set_flow(int l) {
     const BalloonInLane<T>& b = balloon(l);
     const FlowNumbers<T> numbers = flow_numbers(*b.oscillator, *b.pressure, b.regime);
     set_lane_numbers<V>(numbers_, l, numbers);
     harmonic_ = harmonic_ || numbers.forcing.amplitude != T(0);
     lane(sign_, l) = b.regime == Regime::inflating ? T(1) : T(-1);
-    integrator_.aim(l, std::min(b.end, b.oscillator->pressure().next_knot(integrator_.time(l))));
-    const int from_rest = b.regime == Regime::inflating ? 0 : 1;
-    integrator_.restart(l, integrator_.component(l, 1) == T(0) ? from_rest : -1);
   }
 
   /// At dR/dT = 0: the regime is decided anew; a change is an event, except at the start.
@@ -264,11 +318,12 @@ class OscillatorLanes {
   FlowNumbers<V> numbers_{};
   bool harmonic_ = false;  ///< some lane's pressure has a sine
   bool may_burst_ = false;
-  V sign_{1};  ///< of the regime
-  V burst_{never};
-  V runaway_{0};
-  V steps_{0};
-  V most_steps_{0};
+  unsigned leaving_ = 0;
+  V sign_ = V(1);  ///< of the regime
+  V burst_ = V(never);
+  V runaway_ = V(0);
+  V steps_ = V(0);
+  V most_steps_ = V(0);
   std::array<BalloonInLane<T>, static_cast<std::size_t>(width)> balloons_{};
 };
 

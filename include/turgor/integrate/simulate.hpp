@@ -37,6 +37,11 @@ template <class T>
 [[nodiscard]] Trajectory<T> simulate(const Oscillator<T>& oscillator, const T& start_time, const T& stretch,
                                      const T& rate, const T& end_time, const SimulationOptions<T>& options);
 
+/// Refuses a start that cannot be: see simulate().
+template <class T>
+void check_start(const Oscillator<T>& oscillator, const T& start_time, const T& stretch, const T& rate,
+                 const T& end_time, const SimulationOptions<T>& options);
+
 /// Regime in which the balloon leaves a state of rest (dR/dT = 0) at stretch R and time T; see simulate().
 template <class T>
 [[nodiscard]] Regime regime_from_rest(const Oscillator<T>& oscillator, const SmoothPressure<T>& pressure, const T& time,
@@ -47,6 +52,8 @@ extern template Trajectory<double> simulate(const Oscillator<double>&, const dou
 extern template Trajectory<long double> simulate(const Oscillator<long double>&, const long double&, const long double&,
                                                  const long double&, const long double&,
                                                  const SimulationOptions<long double>&);
+extern template void check_start(const Oscillator<double>&, const double&, const double&, const double&, const double&,
+                                 const SimulationOptions<double>&);
 extern template Regime regime_from_rest(const Oscillator<double>&, const SmoothPressure<double>&, const double&,
                                         const double&);
 extern template Regime regime_from_rest(const Oscillator<long double>&, const SmoothPressure<long double>&,

@@ -31,7 +31,7 @@ struct ArrudaBoyce {
     T factor = mu;      // mu lambda_m^(2-2i)
     for (std::size_t i = 1; i <= c.size(); ++i) {
       const T weight = factor * c[i - 1];
-      const T n = static_cast<T>(i);
+      const T n(static_cast<double>(i));
       f.value += weight * difference * i1.value;
       f.first += weight * n * power;
       f.second += weight * n * (n - 1) * previous;

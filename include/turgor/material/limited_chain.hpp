@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <type_traits>
 
 #include "turgor/material/equibiaxial.hpp"
 
@@ -38,9 +39,11 @@ template <class T, class S>
   using std::log;
   using std::log1p;
   const S left = 1.0 - j / jm;
-  if (!(real_part(left) > 0)) {
+  const auto extensible = real_part(left) > 0;
+  constexpr bool one_lane = std::is_same_v<std::remove_const_t<decltype(extensible)>, bool>;
+  if constexpr (one_lane) {
     const S infinite(std::numeric_limits<T>::infinity());
-    return {infinite, infinite, infinite};
+    if (!extensible) return {infinite, infinite, infinite};
   }
   const S first = (mu / 2) / left;
   S logarithm;
@@ -49,7 +52,14 @@ template <class T, class S>
   } else {
     logarithm = log(left);
   }
-  return {-(mu * jm / 2) * logarithm, first, first / (left * jm)};
+  const Jet<S> jet{-(mu * jm / 2) * logarithm, first, first / (left * jm)};
+  if constexpr (one_lane) {
+    return jet;
+  } else {  // SIMD lanes, each with its own limit
+    const S infinite(std::numeric_limits<double>::infinity());
+    return {select(extensible, jet.value, infinite), select(extensible, jet.first, infinite),
+            select(extensible, jet.second, infinite)};
+  }
 }
 
 }  // namespace turgor

@@ -32,7 +32,8 @@ struct Coefficients {
   T elastic, elastic_slope;          ///< E
 };
 
-/// Mass and centripetal coefficient of one regime: M = m0 + m4 R^4, Q = q3 R^3 + q6 R^6. All three models have this form.
+/// Mass and centripetal coefficient of one regime: M = m0 + m4 R^4, Q = q3 R^3 + q6 R^6. All three models have this
+/// form.
 template <class T>
 struct Inertia {
   T m0, m4, q3, q6;
@@ -84,14 +85,8 @@ class Oscillator {
     const ElasticTerm<T> e = elastic_term(parameters_, scales_, R);
     const T r2 = R * R;
     const T r3 = r2 * R;
-    return {i.mass(r3, R),
-            i.mass_slope(r3),
-            i.centripetal(r3),
-            i.centripetal_slope(r2, r3),
-            r2,
-            2 * R,
-            e.value,
-            e.slope};
+    return {i.mass(r3, R), i.mass_slope(r3), i.centripetal(r3), i.centripetal_slope(r2, r3), r2, 2 * R,
+            e.value,       e.slope};
   }
 
   /// M_s and Q_s of a regime (not `rest`).
