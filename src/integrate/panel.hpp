@@ -1,7 +1,7 @@
 #pragma once
 // A short part of a stroke with its time by quadrature and its dense output.
 //
-// The stretch is parametrised by a ballistic path, R = base + speed tau + pull tau^2/2, close to the motion itself:
+// The stretch is parametrised by a ballistic path, R = R_b + speed tau + pull tau^2/2, close to the motion itself:
 // then dT = (dR/dtau) dtau/sqrt(k/M) has an integrand near 1 that stays smooth at a turning point, where numerator and
 // denominator vanish together. A path from a turning point is anchored there, and k is integrated from it, which keeps
 // all digits of the small k nearby.
@@ -13,10 +13,9 @@
 
 namespace turgor {
 
-/// R = base + speed tau + pull tau^2/2.
+/// The way from a base at tau = 0, speed tau + pull tau^2/2.
 template <class T>
 struct BallisticPath {
-  T base;
   T speed;
   T pull;
 
@@ -33,11 +32,11 @@ class Panel {
   static constexpr std::size_t middle = 4;
 
   struct Ends {
-    T stretch;  ///< at tau_from
-    T energy;   ///< k there
+    Place<T> place;  ///< at tau_from
+    T energy;        ///< k there
     T tau_from;
     T tau_to;
-    bool turns;  ///< the path is anchored at the turning point that the stroke runs into, at tau = 0 >= tau_to
+    bool turns;  ///< the path's base is the turning point that the stroke runs into, at tau = 0 >= tau_to
   };
 
   /// Nothing when the path leaves the stretches that the motion reaches.
@@ -50,8 +49,10 @@ class Panel {
   }
 
   [[nodiscard]] const T& duration() const { return time_[points - 1]; }
-  [[nodiscard]] const T& end_stretch() const { return stretch_[points - 1]; }
+  [[nodiscard]] const Place<T>& end() const { return place_[points - 1]; }
   [[nodiscard]] const T& end_rate() const { return rate_[points - 1]; }
+  /// From the first to the last place: exact where the difference of their stretches is rounded.
+  [[nodiscard]] T way() const { return path_.way(ends_.tau_from, ends_.tau_to); }
   [[nodiscard]] bool ends_at_turn() const { return ends_.turns && ends_.tau_to == T(0); }
 
   /// How far the dense output may be from the quadrature.
@@ -66,19 +67,22 @@ class Panel {
     const T part = std::pow(epsilon, T(0.625));  // 1.6e-10, 1.2e-12: makes the quadrature itself exact to rounding
     const T theta = time_[middle] / duration();
     const TrajectoryStep<T> step = dense(T(0), duration());
-    const T extent = std::abs(end_stretch() - stretch_[0]);
+    const T extent = std::abs(way());
     T fastest(0);
     for (const T& v : rate_) fastest = std::max(fastest, std::abs(v));
+    // A path anchored at the start does not smooth a turning point near the end, and the middle would not show it.
+    if (!ends_.turns && 3 * std::abs(end_rate()) < fastest) return std::numeric_limits<T>::infinity();
     // Rounding of R moves points along the path, rounding of the force moves the rates.
-    const auto drive = stroke_.at(stretch_[middle]);
+    const auto drive = stroke_.at(place_[middle]);
     const T memory = std::min(extent, 1 / (drive.damping + 1 / extent));
     const T shaken =
-        16 * epsilon * (fastest * stretch_[middle] / extent + drive.force_size * memory / (drive.mass * fastest));
+        2 * epsilon * (fastest * place_[middle].stretch / extent + drive.force_size * memory / (drive.mass * fastest));
     const auto allowed = [&](const T& value, const T& scale, const T& rounding) {
       return std::min(tolerance.absolute + tolerance.relative * std::abs(value), part * scale) + rounding;
     };
-    const T of_stretch = std::abs(step.stretch_at(theta) - stretch_[middle]) /
-                         allowed(stretch_[middle], extent, 16 * epsilon * stretch_[middle] + shaken * extent / fastest);
+    const T of_stretch =
+        std::abs(step.stretch_at(theta) - place_[middle].stretch) /
+        allowed(place_[middle].stretch, extent, 4 * epsilon * place_[middle].stretch + shaken * extent / fastest);
     const T of_rate = std::abs(step.rate_at(theta) - rate_[middle]) / allowed(fastest, fastest, shaken);
     return of_stretch > of_rate || !(of_rate >= T(0)) ? of_stretch : of_rate;
   }
@@ -100,13 +104,11 @@ class Panel {
   /// The panel cut short where R = stretch, which it passes.
   [[nodiscard]] std::optional<Panel> cut_at(const T& stretch) const {
     const T speed = path_.slope(ends_.tau_from);
-    const T way = stretch - ends_.stretch;
+    const T way = stretch - ends_.place.stretch - ends_.place.rest;
     const T square = std::max(T(0), speed * speed + 2 * path_.pull * way);
     Ends ends = ends_;
     ends.tau_to = ends.tau_from + 2 * way / (speed + stroke_.direction() * std::sqrt(square));
-    auto panel = make(stroke_, path_, ends);
-    if (panel) panel->stretch_[points - 1] = stretch;
-    return panel;
+    return make(stroke_, path_, ends);
   }
 
  private:
@@ -126,60 +128,61 @@ class Panel {
 
   struct Passage {
     T time;
-    T stretch;
+    Place<T> place;
     T energy;
   };
 
   /// From tau, where the state is known, to another tau in either direction; a negative energy when there is none.
-  [[nodiscard]] Passage pass(const T& from, const T& to, T stretch, T energy) const {
+  [[nodiscard]] Passage pass(const T& from, const T& to, Place<T> place, T energy) const {
     const auto& rule = GaussRule<T, 7>::get();
     T time(0);
     T tau = from;
     const auto move = [&](const T& next) {
       const T way = path_.way(tau, next);
-      energy = stretch + way > T(0) ? stroke_.advanced(stretch, way, energy) : T(-1);
-      stretch += way;
+      energy = place.stretch + way > T(0) ? stroke_.advanced(place, way, energy) : T(-1);
+      place = place.moved(way);
       tau = next;
     };
     for (std::size_t i = 0; i < rule.size; ++i) {
       move(from + (to - from) * rule.node[i]);
-      if (!(energy > T(0))) return {time, stretch, T(-1)};
-      time += rule.weight[i] * std::abs(path_.slope(tau)) / std::sqrt(energy / stroke_.at(stretch).mass);
+      if (!(energy > T(0))) return {time, place, T(-1)};
+      time += rule.weight[i] * std::abs(path_.slope(tau)) / std::sqrt(energy / stroke_.at(place).mass);
     }
     move(to);
-    return {time * std::abs(to - from), stretch, energy};
+    return {time * std::abs(to - from), place, energy};
   }
 
   bool fill() {
-    set(0, ends_.stretch, ends_.energy);
+    set(0, ends_.place, ends_.energy);
     const std::size_t last = points - 1;
     std::array<T, points - 1> elapsed;  // between neighbouring points
     const std::size_t forward = ends_.turns ? middle : last;
     for (std::size_t j = 0; j < forward; ++j) {
-      const Passage p = pass(tau_[j], tau_[j + 1], stretch_[j], energy_[j]);
+      const Passage p = pass(tau_[j], tau_[j + 1], place_[j], energy_[j]);
       if (!(p.energy > T(0))) return false;
       elapsed[j] = p.time;
-      set(j + 1, p.stretch, p.energy);
+      set(j + 1, p.place, p.energy);
     }
     if (ends_.turns) {
-      const T way = path_.way(T(0), ends_.tau_to);
-      set(last, path_.base + way, way == T(0) ? T(0) : stroke_.advanced_far(path_.base, way, T(0)));
+      const Place<T> turn = ends_.place.moved(path_.way(ends_.tau_from, T(0)));
+      const T back = path_.way(T(0), ends_.tau_to);
+      set(last, turn.moved(back), back == T(0) ? T(0) : stroke_.advanced_far(turn, back, T(0)));
     }
     for (std::size_t j = last; j > forward; --j) {
-      const Passage p = pass(tau_[j], tau_[j - 1], stretch_[j], energy_[j]);
+      const Passage p = pass(tau_[j], tau_[j - 1], place_[j], energy_[j]);
       if (!(p.energy > T(0))) return false;
       elapsed[j - 1] = p.time;
-      if (j - 1 > middle) set(j - 1, p.stretch, p.energy);
+      if (j - 1 > middle) set(j - 1, p.place, p.energy);
     }
     time_[0] = T(0);
     for (std::size_t j = 0; j < last; ++j) time_[j + 1] = time_[j] + elapsed[j];
     return std::isfinite(duration());
   }
 
-  void set(std::size_t j, const T& stretch, const T& energy) {
-    stretch_[j] = stretch;
+  void set(std::size_t j, const Place<T>& place, const T& energy) {
+    place_[j] = place;
     energy_[j] = energy;
-    rate_[j] = stroke_.direction() * std::sqrt(std::max(T(0), energy) / stroke_.at(stretch).mass);
+    rate_[j] = stroke_.direction() * std::sqrt(std::max(T(0), energy) / stroke_.at(place).mass);
   }
 
   /// tau at a time between points j and j + 1: the secant method, since time and tau are almost proportional.
@@ -193,7 +196,7 @@ class Panel {
     T last_time(0);
     T tau = last_tau + sign * pace * wanted;
     for (int i = 0; i < 50 && tau != last_tau; ++i) {
-      const T time = pass(tau_[anchor], tau, stretch_[anchor], energy_[anchor]).time;
+      const T time = pass(tau_[anchor], tau, place_[anchor], energy_[anchor]).time;
       const T slope = time != last_time ? (tau - last_tau) / (time - last_time) : sign * pace;
       last_tau = tau;
       last_time = time;
@@ -212,11 +215,11 @@ class Panel {
       if (j == middle) continue;
       const std::size_t node = j < middle ? j : j - 1;
       theta[node] = time_[j] / duration();
-      stretch[node] = stretch_[j] - stretch_[0];
+      stretch[node] = path_.way(tau_[0], tau_[j]);
       rate[node] = rate_[j];
     }
     stretch_polynomial_ = through(theta, stretch);
-    stretch_polynomial_[0] = stretch_[0];
+    stretch_polynomial_[0] = place_[0].stretch;
     rate_polynomial_ = through(theta, rate);
   }
 
@@ -240,7 +243,7 @@ class Panel {
   Ends ends_;
   std::array<T, points> tau_;
   std::array<T, points> time_;
-  std::array<T, points> stretch_;
+  std::array<Place<T>, points> place_;
   std::array<T, points> energy_;
   std::array<T, points> rate_;
   DensePolynomial<T> stretch_polynomial_;

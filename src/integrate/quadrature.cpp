@@ -27,19 +27,24 @@ class QuadratureRun final : public HybridRun<T> {
 
   void start_anew() override {
     h_ = T(0);
-    turn_.reset();
+    way_to_turn_.reset();
   }
 
   /// Takes one accepted panel. Its extent in tau, about its duration, is chosen as a step size is.
   void advance(const T& target) override {
     const Stroke<T> stroke(this->oscillator_, regime_, this->current_pressure(), result_.statistics.rate_evaluations);
-    const T energy = stroke.at(stretch_).mass * rate_ * rate_;
-    const T pull = stroke.acceleration(stretch_, energy);
-    if (!(h_ > T(0))) h_ = T(0.5) / stroke.frequency(stretch_, rate_);
+    const auto drive = stroke.at(place());
+    const T energy = drive.mass * rate_ * rate_;
+    const T pull = drive.acceleration(energy);
+    if (!(h_ > T(0))) h_ = T(0.5) / drive.frequency(stretch_, rate_);
     // A panel that reaches far beyond the target would only be cut.
     h_ = std::min(h_, T(1.05) * (target - time_));
     const bool braking = rate_ != T(0) && this->direction() * pull < T(0);
     const T stopping_time = braking ? std::abs(rate_ / pull) : std::numeric_limits<T>::infinity();
+    if (unresolved(std::abs(rate_) * stopping_time / 2)) {
+      glide(pull, stopping_time, true, target);
+      return;
+    }
     if (h_ > stopping_time / 2) {
       if (const auto last = to_the_turn(stroke, energy, std::abs(rate_) * stopping_time / 2)) {
         accept(*last, target);
@@ -49,12 +54,16 @@ class QuadratureRun final : public HybridRun<T> {
     }
     bool rejected = false;
     while (true) {
-      const BallisticPath<T> path{stretch_, rate_, pull};
-      if (!(time_ + h_ > time_) || stretch_ + path.way(T(0), h_) == stretch_) {
-        fail(Outcome::step_failed, "the motion is smaller than what the numbers resolve");
+      const BallisticPath<T> path{rate_, pull};
+      if (!(time_ + h_ > time_)) {
+        fail(Outcome::step_failed, "the step size fell below what the clock resolves");
         return;
       }
-      const auto panel = Panel<T>::make(stroke, path, {stretch_, energy, T(0), h_, false});
+      if (unresolved(path.way(T(0), h_))) {
+        glide(pull, h_, false, target);
+        return;
+      }
+      const auto panel = Panel<T>::make(stroke, path, {place(), energy, T(0), h_, false});
       const T error = panel ? panel->error(tolerance()) : std::numeric_limits<T>::quiet_NaN();
       if (error <= T(1)) {
         h_ *= std::min(rejected ? T(1) : T(4), T(0.9) * std::pow(std::max(error, T(1e-8)), T(-0.125)));
@@ -63,28 +72,48 @@ class QuadratureRun final : public HybridRun<T> {
       }
       ++result_.statistics.rejected;
       rejected = true;
-      h_ *= std::isfinite(error) ? std::max(T(0.2), T(0.9) * std::pow(error, T(-0.125))) : T(0.3);
+      h_ *= std::isfinite(error) ? std::max(T(0.2), T(0.9) * std::pow(error, T(-0.125))) : T(0.5);
     }
   }
 
   /// The panel from here to the turning point, when that is so near that it takes only one.
   /// @param stopping_way  where the present deceleration alone would turn the motion
   std::optional<Panel<T>> to_the_turn(const Stroke<T>& stroke, const T& energy, const T& stopping_way) {
-    if (!turn_) {
-      const auto way = stroke.way_to_turn(stretch_, energy, 4 * stopping_way);
+    if (!way_to_turn_) {
+      way_to_turn_ = stroke.way_to_turn(place(), energy, 4 * stopping_way);
       ++result_.statistics.event_refinements;
-      if (!way) return std::nullopt;
-      turn_ = stretch_ + *way;
+      if (!way_to_turn_) return std::nullopt;
     }
-    const T way = *turn_ - stretch_;
-    const auto drive = stroke.at(*turn_);
+    const T way = *way_to_turn_;
+    const auto drive = stroke.at(place().moved(way));
     const T pull = drive.force / drive.mass;
     if (!(std::abs(way) < T(1.6) * stopping_way) || !(way * pull < T(0))) return std::nullopt;
-    const BallisticPath<T> path{*turn_, T(0), pull};
+    const BallisticPath<T> path{T(0), pull};
     const T tau = -std::sqrt(-2 * way / pull);
-    auto panel = Panel<T>::make(stroke, path, {stretch_, energy, tau, T(0), true});
+    auto panel = Panel<T>::make(stroke, path, {place(), energy, tau, T(0), true});
     if (!panel || !(panel->error(tolerance()) <= T(1))) return std::nullopt;
     return panel;
+  }
+
+  /// Whether a way is so short that R hardly resolves it.
+  [[nodiscard]] bool unresolved(const T& way) const { return std::abs(way) <= 4 * epsilon * stretch_; }
+
+  [[nodiscard]] Place<T> place() const { return {stretch_, rest_}; }
+
+  /// Over an unresolved way the acceleration stays what it is.
+  /// @param stops  the rate vanishes after `duration`
+  void glide(const T& pull, const T& duration, bool stops, const T& target) {
+    const bool reaches = duration >= target - time_;
+    const T elapsed = reaches ? target - time_ : duration;
+    const T gained = pull * elapsed;
+    const TrajectoryStep<T> step{
+        time_, elapsed, regime_, {stretch_, rate_ * elapsed, gained * elapsed / 2}, {rate_, gained}};
+    const bool at_turn = stops && duration <= target - time_;
+    const Place<T> end = place().moved((rate_ + gained / 2) * elapsed);
+    append(step, reaches ? target : time_ + elapsed, end.stretch, at_turn ? T(0) : rate_ + gained);
+    rest_ = end.rest;
+    if (at_turn) start_anew();
+    check_limits();
   }
 
   [[nodiscard]] typename Panel<T>::Tolerance tolerance() const { return {options_.rtol / 10, options_.atol / 10}; }
@@ -92,7 +121,7 @@ class QuadratureRun final : public HybridRun<T> {
   /// Keeps a panel, cut at the target and at the stretch at which the wall bursts.
   void accept(Panel<T> panel, const T& target) {
     const bool bursts =
-        options_.max_stretch > T(0) && regime_ == Regime::inflating && panel.end_stretch() >= options_.max_stretch;
+        options_.max_stretch > T(0) && regime_ == Regime::inflating && panel.end().stretch >= options_.max_stretch;
     std::optional<Panel<T>> part = panel;
     if (bursts) part = panel.cut_at(options_.max_stretch);
     const T left = target - time_;
@@ -103,9 +132,12 @@ class QuadratureRun final : public HybridRun<T> {
       fail(Outcome::step_failed, "the motion is smaller than what the numbers resolve");
       return;
     }
+    if (way_to_turn_) *way_to_turn_ -= part->way();
     const T duration = reaches ? left : part->duration();
     const T end_rate = part->ends_at_turn() ? T(0) : part->end_rate();
-    append(part->dense(time_, duration), reaches ? target : time_ + duration, part->end_stretch(), end_rate);
+    append(part->dense(time_, duration), reaches ? target : time_ + duration,
+           bursts && !passes ? options_.max_stretch : part->end().stretch, end_rate);
+    rest_ = part->end().rest;
     if (part->ends_at_turn()) start_anew();
     if (bursts && !passes) {
       fail(Outcome::burst, "the wall reached material.max_stretch and bursts");
@@ -114,8 +146,9 @@ class QuadratureRun final : public HybridRun<T> {
     }
   }
 
-  T h_{0};                 ///< extent in tau proposed for the next panel; 0: to be chosen
-  std::optional<T> turn_;  ///< turning point ahead, once known
+  T h_{0};                        ///< extent in tau proposed for the next panel; 0: to be chosen
+  T rest_{0};                     ///< of the stretch, which its last digit cannot hold
+  std::optional<T> way_to_turn_;  ///< to the turning point ahead, once known
 };
 
 }  // namespace

@@ -15,15 +15,39 @@
 
 namespace turgor {
 
+/// A stretch together with what its digits cannot hold: near an equilibrium the force depends on it.
+template <class T>
+struct Place {
+  T stretch;
+  T rest;
+
+  [[nodiscard]] Place moved(const T& way) const {
+    const T end = stretch + (rest + way);
+    return {end, (stretch - end) + (rest + way)};
+  }
+};
+
 template <class T>
 class Stroke {
  public:
   /// What drives the motion at one stretch.
   struct Drive {
     T mass;
-    T damping;     ///< D
-    T force;       ///< f
-    T force_size;  ///< of the terms whose difference f is: its rounding is relative to that
+    T damping;      ///< D
+    T force;        ///< f
+    T force_slope;  ///< df/dR
+    T force_size;   ///< what the rounding of f, and of R in it, is relative to
+    T centripetal;  ///< Q/M
+
+    /// d2R/dT2 where the kinetic energy is k.
+    [[nodiscard]] T acceleration(const T& k) const { return (centripetal * k + force) / mass; }
+
+    /// How fast motion with stretch R and rate v changes [1/time].
+    [[nodiscard]] T frequency(const T& R, const T& v) const {
+      const T along = damping + 1 / R;
+      const T pull = std::abs(acceleration(mass * v * v));
+      return std::sqrt(std::abs(force_slope) / mass + along * pull) + along * std::abs(v);
+    }
   };
 
   /// @param oscillator   must outlive the stroke
@@ -33,65 +57,57 @@ class Stroke {
 
   [[nodiscard]] T direction() const { return static_cast<T>(static_cast<int>(regime_)); }
 
-  [[nodiscard]] Drive at(const T& R) const {
+  [[nodiscard]] Drive at(const Place<T>& place) const {
     ++*evaluations_;
-    const Coefficients<T> c = oscillator_->coefficients(regime_, R);
-    return {c.mass, (c.mass_slope + 2 * c.centripetal) / c.mass, c.area * pressure_ - c.elastic,
-            std::abs(c.area * pressure_) + std::abs(c.elastic)};
+    const Coefficients<T> c = oscillator_->coefficients(regime_, place.stretch);
+    const T slope = c.area_slope * pressure_ - c.elastic_slope;
+    return {c.mass,
+            (c.mass_slope + 2 * c.centripetal) / c.mass,
+            c.area * pressure_ - c.elastic + slope * place.rest,
+            slope,
+            std::abs(c.area * pressure_) + std::abs(c.elastic) + place.stretch * std::abs(slope),
+            c.centripetal / c.mass};
   }
 
-  /// d2R/dT2 where the kinetic energy is k.
-  [[nodiscard]] T acceleration(const T& R, const T& k) const {
-    ++*evaluations_;
-    const Coefficients<T> c = oscillator_->coefficients(regime_, R);
-    return (c.centripetal * k / c.mass + c.area * pressure_ - c.elastic) / c.mass;
-  }
-
-  /// How fast the motion changes at stretch R and rate v [1/time]: what a first panel is to resolve.
-  [[nodiscard]] T frequency(const T& R, const T& v) const {
-    ++*evaluations_;
-    const Coefficients<T> c = oscillator_->coefficients(regime_, R);
-    const T pull = std::abs(acceleration(R, c.mass * v * v));
-    const T damping = at(R).damping;
-    const T stiffness = std::abs(c.area_slope * pressure_ - c.elastic_slope) / c.mass;
-    return std::sqrt(stiffness + (damping + 1 / R) * pull) + (damping + 1 / R) * std::abs(v);
-  }
-
-  /// k at R + d, given k at R, where f varies little from R to R + d; d may have either sign.
-  [[nodiscard]] T advanced(const T& R, const T& d, const T& k) const {
-    const T damping = std::max(at(R).damping, at(R + d).damping);
-    const T exponent = damping * std::abs(d);
-    if (exponent <= T(1)) return over_piece<7>(R, d, k);
-    if (d > T(0)) return in_pieces<7>(R, d, k, std::ceil(exponent));
+  /// k after a way d, of either sign, over which f varies little; given k at the start.
+  [[nodiscard]] T advanced(const Place<T>& from, const T& d, const T& k) const {
+    if (regime_ == Regime::inflating) return over_piece<7>(from, d, k);
+    const T end_damping = at(from.moved(d)).damping;
+    const T exponent = std::max(at(from).damping, end_damping) * std::abs(d);
+    if (exponent <= T(1)) return over_piece<7>(from, d, k);
+    if (d > T(0)) return in_pieces<7>(from, d, k, std::ceil(exponent));
     // Backwards in R whatever lies more than `memory` decay lengths behind is forgotten.
     constexpr T memory(50);
-    const T remembered = memory / at(R + d).damping;
-    if (remembered >= -d) return in_pieces<15>(R, d, k, std::ceil(exponent / widest));
-    return in_pieces<15>(R + d + remembered, -remembered, T(0), std::ceil(memory / widest));
+    const T remembered = memory / end_damping;
+    if (remembered >= -d) return in_pieces<15>(from, d, k, std::ceil(exponent / widest));
+    return in_pieces<15>(from.moved(d + remembered), -remembered, T(0), std::ceil(memory / widest));
   }
 
-  /// The same over any way: halved until halves agree with the whole but for rounding. -infinity beyond where the wall
-  /// locks.
-  [[nodiscard]] T advanced_far(const T& R, const T& d, const T& k, int depth = 20) const {
-    const T whole = advanced(R, d, k);
-    const T middle = advanced(R, d / 2, k);
-    const T halves = advanced(R + d / 2, d / 2, middle);
-    if (!std::isfinite(whole) || !std::isfinite(halves)) return -std::numeric_limits<T>::infinity();
-    const T size = std::max({std::abs(k), std::abs(middle), std::abs(halves), at(R).force_size * std::abs(d)});
+  /// The same over any way: halved until halves agree with the whole but for rounding. -infinity where the wall has
+  /// locked.
+  [[nodiscard]] T advanced_far(const Place<T>& from, const T& d, const T& k, int depth = 40) const {
+    const Drive end = at(from.moved(d));
+    if (!std::isfinite(end.force)) return -std::numeric_limits<T>::infinity();
+    const Place<T> middle = from.moved(d / 2);
+    const T whole = advanced(from, d, k);
+    const T half = advanced(from, d / 2, k);
+    const T halves = advanced(middle, d / 2, half);
+    const T size = std::max(
+        {std::abs(k), std::abs(half), std::abs(halves), std::max(at(from).force_size, end.force_size) * std::abs(d)});
     if (depth == 0 || std::abs(whole - halves) <= 16 * std::numeric_limits<T>::epsilon() * size) return halves;
-    return advanced_far(R + d / 2, d / 2, advanced_far(R, d / 2, k, depth - 1), depth - 1);
+    return advanced_far(middle, d / 2, advanced_far(from, d / 2, k, depth - 1), depth - 1);
   }
 
-  /// Where the motion from R with kinetic energy k > 0 turns, if it does within `reach` of R: the way to there.
-  [[nodiscard]] std::optional<T> way_to_turn(const T& R, const T& k, const T& reach) const {
+  /// Where the motion with kinetic energy k > 0 turns, if it does within `reach`: the way to there.
+  [[nodiscard]] std::optional<T> way_to_turn(const Place<T>& from, const T& k, const T& reach) const {
     T inside(0);  // moves on towards the turn; k > 0 there
     T energy = k;
     constexpr int parts = 8;
     for (int i = 1; i <= parts; ++i) {
       const T beyond = direction() * reach * static_cast<T>(i) / parts;
-      if (!(R + beyond > T(0))) return std::nullopt;
-      const T there = advanced_far(R + inside, beyond - inside, energy);
-      if (!(there > T(0))) return turn_between(R, inside, energy, beyond);
+      if (!(from.stretch + beyond > T(0))) return std::nullopt;
+      const T there = advanced_far(from.moved(inside), beyond - inside, energy);
+      if (!(there > T(0))) return turn_between(from, inside, energy, beyond);
       inside = beyond;
       energy = there;
     }
@@ -99,18 +115,18 @@ class Stroke {
   }
 
  private:
-  /// Newton's method on k(R), kept between a way with k > 0 and one with k <= 0.
-  [[nodiscard]] T turn_between(const T& R, T inside, T energy, T beyond) const {
+  /// Newton's method on k, kept between a way with k > 0 and one with k <= 0.
+  [[nodiscard]] T turn_between(const Place<T>& from, T inside, T energy, T beyond) const {
     T way = inside;
     T k = energy;
-    const T resolution = std::numeric_limits<T>::epsilon() * R / 4;
+    const T resolution = std::numeric_limits<T>::epsilon() * std::abs(beyond);
     for (int i = 0; i < 200; ++i) {
-      const Drive here = at(R + way);
+      const Drive here = at(from.moved(way));
       T next = way - k / (here.damping * k + 2 * here.force);
       if (!((next - inside) * (beyond - next) > T(0))) next = (inside + beyond) / 2;
       if (std::abs(next - way) <= resolution || next == inside || next == beyond) return next;
       way = next;
-      k = advanced_far(R + inside, way - inside, energy);
+      k = advanced_far(from.moved(inside), way - inside, energy);
       if (k > T(0)) {
         inside = way;
         energy = k;
@@ -123,22 +139,22 @@ class Stroke {
   }
 
   template <unsigned N>
-  [[nodiscard]] T in_pieces(T R, const T& d, T k, const T& count) const {
+  [[nodiscard]] T in_pieces(Place<T> place, const T& d, T k, const T& count) const {
     const T piece = d / count;
     for (T i(0); i < count; i += 1) {
-      k = over_piece<N>(R, piece, k);
-      R += piece;
+      k = over_piece<N>(place, piece, k);
+      place = place.moved(piece);
     }
     return k;
   }
 
   template <unsigned N>
-  [[nodiscard]] T over_piece(const T& R, const T& d, const T& k) const {
+  [[nodiscard]] T over_piece(const Place<T>& from, const T& d, const T& k) const {
     const auto& rule = GaussRule<T, N>::get();
     std::array<T, N> damping;
     std::array<T, N> force;
     for (std::size_t i = 0; i < rule.size; ++i) {
-      const Drive drive = at(R + d * rule.node[i]);
+      const Drive drive = at(from.moved(d * rule.node[i]));
       damping[i] = d * drive.damping;
       force[i] = 2 * d * drive.force;
     }

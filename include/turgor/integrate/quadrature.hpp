@@ -17,7 +17,7 @@ namespace turgor {
 /// with the quadrature to a tenth of options.rtol and options.atol, and to 1.6e-10 of the step's extent at least.
 /// Statistics count panels as steps and evaluations of the coefficients as rate evaluations.
 ///
-/// A motion narrower than the numbers can resolve ends as `step_failed`.
+/// Where R moves by less than it is resolved, the acceleration counts as constant.
 /// @throws InvalidInput as simulate() does, and as require_piecewise_constant()
 template <class T>
 [[nodiscard]] Trajectory<T> simulate_by_quadrature(const Oscillator<T>& oscillator, const T& start_time,
