@@ -72,11 +72,10 @@ class Panel {
     for (const T& v : rate_) fastest = std::max(fastest, std::abs(v));
     // A path anchored at the start does not smooth a turning point near the end, and the middle would not show it.
     if (!ends_.turns && 3 * std::abs(end_rate()) < fastest) return std::numeric_limits<T>::infinity();
-    // Rounding of R moves points along the path, rounding of the force moves the rates.
+    // The rounding of the force moves the rates, as far back as the motion remembers it.
     const auto drive = stroke_.at(place_[middle]);
-    const T memory = std::min(extent, 1 / (drive.damping + 1 / extent));
-    const T shaken =
-        2 * epsilon * (fastest * place_[middle].stretch / extent + drive.force_size * memory / (drive.mass * fastest));
+    const T memory = extent / (1 + drive.damping * extent);
+    const T shaken = 2 * epsilon * drive.force_size * memory / (drive.mass * fastest);
     const auto allowed = [&](const T& value, const T& scale, const T& rounding) {
       return std::min(tolerance.absolute + tolerance.relative * std::abs(value), part * scale) + rounding;
     };

@@ -41,26 +41,18 @@ class QuadratureRun final : public HybridRun<T> {
     h_ = std::min(h_, T(1.05) * (target - time_));
     const bool braking = rate_ != T(0) && this->direction() * pull < T(0);
     const T stopping_time = braking ? std::abs(rate_ / pull) : std::numeric_limits<T>::infinity();
-    if (unresolved(std::abs(rate_) * stopping_time / 2)) {
-      glide(pull, stopping_time, true, target);
-      return;
-    }
     if (h_ > stopping_time / 2) {
       if (const auto last = to_the_turn(stroke, energy, std::abs(rate_) * stopping_time / 2)) {
         accept(*last, target);
         return;
       }
-      h_ = stopping_time / 2;
+      h_ = stopping_time / 2;  // far enough from where the path would turn back
     }
     bool rejected = false;
     while (true) {
       const BallisticPath<T> path{rate_, pull};
       if (!(time_ + h_ > time_)) {
         fail(Outcome::step_failed, "the step size fell below what the clock resolves");
-        return;
-      }
-      if (unresolved(path.way(T(0), h_))) {
-        glide(pull, h_, false, target);
         return;
       }
       const auto panel = Panel<T>::make(stroke, path, {place(), energy, T(0), h_, false});
@@ -95,26 +87,7 @@ class QuadratureRun final : public HybridRun<T> {
     return panel;
   }
 
-  /// Whether a way is so short that R hardly resolves it.
-  [[nodiscard]] bool unresolved(const T& way) const { return std::abs(way) <= 4 * epsilon * stretch_; }
-
   [[nodiscard]] Place<T> place() const { return {stretch_, rest_}; }
-
-  /// Over an unresolved way the acceleration stays what it is.
-  /// @param stops  the rate vanishes after `duration`
-  void glide(const T& pull, const T& duration, bool stops, const T& target) {
-    const bool reaches = duration >= target - time_;
-    const T elapsed = reaches ? target - time_ : duration;
-    const T gained = pull * elapsed;
-    const TrajectoryStep<T> step{
-        time_, elapsed, regime_, {stretch_, rate_ * elapsed, gained * elapsed / 2}, {rate_, gained}};
-    const bool at_turn = stops && duration <= target - time_;
-    const Place<T> end = place().moved((rate_ + gained / 2) * elapsed);
-    append(step, reaches ? target : time_ + elapsed, end.stretch, at_turn ? T(0) : rate_ + gained);
-    rest_ = end.rest;
-    if (at_turn) start_anew();
-    check_limits();
-  }
 
   [[nodiscard]] typename Panel<T>::Tolerance tolerance() const { return {options_.rtol / 10, options_.atol / 10}; }
 

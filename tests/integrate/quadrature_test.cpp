@@ -102,29 +102,43 @@ TEST(Quadrature, FollowsTheIntegralOfDeflation) {
   }
 }
 
+/// The lowest stable equilibrium of the paper's balloon with a channel, to the last digit.
+long double equilibrium(const Oscillator<long double>& oscillator, long double P) {
+  long double R =
+      static_cast<long double>(equilibria(paper_balloon<double>(0.03, 0.5), static_cast<double>(P)).front().stretch);
+  for (int i = 0; i < 3; ++i) {
+    const auto c = oscillator.coefficients(Regime::inflating, R);
+    R += (c.area * P - c.elastic) / (c.elastic_slope - c.area_slope * P);
+  }
+  return R;
+}
+
 // Half a period of small oscillations is pi/omega in either regime, with relative errors O(e^2); e C2 = 3e-5 at most.
-TEST(Quadrature, SmallHalfCyclesTakePiOverOmega) {
+// From a phase on the way, with its rate, what is left of it is acos(phase)/omega, with errors O(e C2) deflating and
+// O(e) inflating, where the phases are therefore swept.
+TEST(Quadrature, SmallHalfCyclesAreHarmonic) {
   using Real = long double;
   const Real P = 20e3L;
-  const double coarse = equilibria(paper_balloon<double>(0.03, 0.5), 2e4).front().stretch;
   for (const Model model : all_models) {
     const auto oscillator = paper_oscillator<Real>(model, constant_pressure(P));
-    Real R = static_cast<Real>(coarse);
-    for (int i = 0; i < 3; ++i) {  // Newton's method takes the equilibrium from double to long double
-      const auto c = oscillator.coefficients(Regime::inflating, R);
-      R += (c.area * P - c.elastic) / (c.elastic_slope - c.area_slope * P);
-    }
+    const Real R = equilibrium(oscillator, P);
     auto options = at_tolerance<Real>(1e-9L);
     options.max_events = 1;
     for (const Regime regime : {Regime::inflating, Regime::deflating}) {
       const auto c = oscillator.coefficients(regime, R);
       const Real omega = std::sqrt((c.elastic_slope - c.area_slope * P) / c.mass);
-      const Real start = R - 1e-8L * static_cast<int>(regime);
-      const auto trajectory = simulate_by_quadrature<Real>(oscillator, 0, start, 0, 1e3L, options);
-      ASSERT_EQ(trajectory.events.size(), 1U);
-      EXPECT_EQ(trajectory.events[0].before, regime);
-      EXPECT_NEAR(static_cast<double>(trajectory.events[0].time * omega / std::numbers::pi_v<Real>), 1.0, 2e-9)
-          << name_of(model);
+      const int s = static_cast<int>(regime);
+      const auto check = [&](Real e, Real phase, double tolerance) {
+        const Real rate = s * e * omega * std::sqrt((1 - phase) * (1 + phase));
+        const auto trajectory = simulate_by_quadrature<Real>(oscillator, 0, R + s * e * phase, rate, 1e3L, options);
+        ASSERT_EQ(trajectory.events.size(), 1U);
+        EXPECT_EQ(trajectory.events[0].before, regime);
+        EXPECT_NEAR(static_cast<double>(trajectory.events[0].time * omega / std::acos(phase)), 1.0, tolerance)
+            << name_of(model) << " from phase " << static_cast<double>(phase);
+      };
+      check(1e-8L, -1, 2e-9);
+      if (regime == Regime::deflating) continue;
+      for (Real phase = -0.99L; phase < 0.99L; phase += 0.01L) check(1e-10L, phase, 3e-9);
     }
   }
 }
@@ -476,6 +490,53 @@ TEST(Quadrature, StaysOnTheSlowManifold) {
   const double quasi_static = -std::sqrt(-oscillator.force_at_rest(R, P) / c.centripetal);
   EXPECT_NEAR(trajectory.last.rate / quasi_static, 1, 10 * c.mass / (c.centripetal * R));
   EXPECT_NE(trajectory.last.rate, quasi_static);
+}
+
+/// A balloon given in double as long double, digit for digit.
+Parameters<long double> widened(const Parameters<double>& p) {
+  const auto& material = std::get<MooneyRivlin<double>>(p.material);
+  return {p.radius,          p.thickness,      p.solid_density,  p.fluid_density,
+          p.fluid_viscosity, p.orifice_radius, p.channel_length, MooneyRivlin<long double>{material.s1, material.s2},
+          p.closure};
+}
+
+// An amplitude of 1e-6 leaves 1e-10 of the period to the rounding of R, and 1e-11 when R carries its rest along. The
+// panel that runs into the upper turning point must not be taken from its lower end: that costs 1e-8 unnoticed in its
+// middle.
+TEST(Quadrature, KeepsDigitsOfSmallMotion) {
+  const auto p = paper_balloon<double>(0.03, 0.5);
+  const double pressure = 41313.600802474764;
+  const auto scales = natural_scales(p, constant_pressure(pressure), 30.0);
+  const Oscillator<double> in_double(Model::full, p, constant_pressure(pressure), scales);
+  const Oscillator<long double> exact(Model::full, widened(p), constant_pressure<long double>(pressure),
+                                      {scales.length, scales.pressure, scales.time});
+  for (const double amplitude : {1e-3, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6}) {
+    const double start = 1.2582010333829832 + amplitude;
+    const auto found = simulate_by_quadrature(in_double, 0.0, start, 0.0, 60.0, at_tolerance(1e-12));
+    const auto expected = simulate_by_quadrature<long double>(exact, 0, start, 0, 60, at_tolerance(1e-15L));
+    ASSERT_EQ(found.events.size(), expected.events.size());
+    ASSERT_GE(found.events.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_NEAR(found.events[i].time / static_cast<double>(expected.events[i].time), 1.0, 1.5e-17 / amplitude + 2e-12)
+          << "event " << i << " at amplitude " << amplitude;
+    }
+  }
+}
+
+// A rate that turns on a way below the last digit of R, late enough that the clock does not resolve its halves.
+TEST(Quadrature, TurnsWithinTheLastDigit) {
+  for (const Model model : all_models) {
+    const auto oscillator = paper_oscillator(model, constant_pressure(20e3));
+    for (const double rate : {1e-9, 1e-12}) {
+      const auto trajectory = simulate_by_quadrature(oscillator, 1e3, 1.3, rate, 1e3 + 1, at_tolerance(1e-10));
+      const auto from_rest = simulate_by_quadrature(oscillator, 1e3, 1.3, 0.0, 1e3 + 1, at_tolerance(1e-10));
+      ASSERT_EQ(trajectory.outcome, Outcome::reached_end) << trajectory.message;
+      ASSERT_EQ(trajectory.events.size(), 1U);
+      EXPECT_EQ(trajectory.events[0].after, Regime::deflating);
+      EXPECT_NEAR(trajectory.last.stretch, from_rest.last.stretch, 1e-8);
+      EXPECT_LT(trajectory.statistics.steps, from_rest.statistics.steps + 10);
+    }
+  }
 }
 
 // Amplitudes down to what double resolves: runs end, and say how.

@@ -12,12 +12,13 @@ namespace turgor {
 ///     dk/dR = (M_s' + 2 Q_s)/M_s k + 2 (a P - E),
 ///
 /// so that k is an integral (docs/theory.md, section 2.4) and T = int dR/sqrt(k/M_s). Whatever options.rtol says, end
-/// points of steps carry errors of quadrature below 1e-13 (double) of their step's extent; rounding of R and of the
-/// force a P - E adds about epsilon R over the amplitude of the motion. Between them, polynomials of degree 7 agree
-/// with the quadrature to a tenth of options.rtol and options.atol, and to 1.6e-10 of the step's extent at least.
-/// Statistics count panels as steps and evaluations of the coefficients as rate evaluations.
+/// points of steps carry errors of quadrature below 1e-13 (double) of their step's extent. The rounding of the force
+/// a P - E remains: next to an equilibrium it moves times by about a tenth of epsilon over the amplitude of the motion.
+/// Between end points, polynomials of degree 7 agree with the quadrature to a tenth of options.rtol and options.atol,
+/// and to 1.6e-10 of the step's extent at least, as far as rounding allows. Statistics count panels as steps and
+/// evaluations of the coefficients as rate evaluations.
 ///
-/// Where R moves by less than it is resolved, the acceleration counts as constant.
+/// As simulate(), never throws for trouble on the way.
 /// @throws InvalidInput as simulate() does, and as require_piecewise_constant()
 template <class T>
 [[nodiscard]] Trajectory<T> simulate_by_quadrature(const Oscillator<T>& oscillator, const T& start_time,
