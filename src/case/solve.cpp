@@ -1,5 +1,6 @@
 #include "parts.hpp"
 #include "turgor/base/text.hpp"
+#include "turgor/integrate/quadrature.hpp"
 
 namespace turgor {
 
@@ -11,6 +12,12 @@ void declare_solve(Schema& schema) {
               .range = positive,
               .required = true,
               .meaning = "end of the run, which starts at t = 0"});
+  schema.add(
+      {.path = "solve.method",
+       .kind = text,
+       .choices = {"adaptive", "quadrature"},
+       .fallback = "adaptive",
+       .meaning = "time steps of adaptive size, or exact integrals where the pressure is constant between steps"});
   schema.add({.path = "solve.rtol",
               .kind = number,
               .range = {1e-13, 1e-2},
@@ -48,7 +55,19 @@ void declare_solve(Schema& schema) {
               .meaning = "give up after this many steps"});
 }
 
+std::string_view name_of(Method method) { return method == Method::quadrature ? "quadrature" : "adaptive"; }
+
 namespace {
+
+void read_method(Reader& reader, const Case& c, SolveSettings& s) {
+  s.method = reader.text("solve.method") == "quadrature" ? Method::quadrature : Method::adaptive;
+  if (s.method != Method::quadrature || !(s.t_end > 0)) return;
+  try {
+    require_piecewise_constant(c.pressure, 0.0, s.t_end, 1.0);
+  } catch (const InvalidInput& error) {
+    reader.complain(error);
+  }
+}
 
 void read_rows(Reader& reader, SolveSettings& s) {
   const bool samples = reader.node("solve.samples") != nullptr;
@@ -76,6 +95,7 @@ void read_rows(Reader& reader, SolveSettings& s) {
 void read_solve(Reader& reader, Case& c) {
   SolveSettings& s = c.solve;
   s.t_end = reader.number("solve.t_end").value_or(0);
+  read_method(reader, c, s);
   s.rtol = reader.number("solve.rtol").value_or(1e-9);
   s.atol = reader.number("solve.atol").value_or(s.rtol);
   reader.resolve("solve.atol", toml_quantity(s.atol, "1"));

@@ -51,8 +51,8 @@ class Ensemble {
            std::span<MemberSummary* const> summaries)
       : members_(members),
         summaries_(summaries),
-        nimble_(common_material(members), Method::explicit_pair, options),
-        stiff_(common_material(members), Method::rosenbrock, options) {}
+        nimble_(common_material(members), StepMethod::explicit_pair, options),
+        stiff_(common_material(members), StepMethod::rosenbrock, options) {}
 
   void run() {
     while (true) {
@@ -69,7 +69,7 @@ class Ensemble {
 
  private:
   struct Pool {
-    Pool(const Material<Value>& material, Method method, const SummaryOptions& options)
+    Pool(const Material<Value>& material, StepMethod method, const SummaryOptions& options)
         : observer(options), lanes(material, method, observer) {}
 
     [[nodiscard]] bool busy() const { return lanes.integrator().running(); }

@@ -95,10 +95,31 @@ Trajectory<T> simulate(const Oscillator<T>& oscillator, const T& start_time, con
                        const T& end_time, const SimulationOptions<T>& options) {
   check_start(oscillator, start_time, stretch, rate, end_time, options);
   Recorder<T> recorder;
-  OscillatorLanes<T, Recorder<T>> lanes(oscillator.parameters().material, Method::explicit_pair, recorder);
+  OscillatorLanes<T, Recorder<T>> lanes(oscillator.parameters().material, StepMethod::explicit_pair, recorder);
   lanes.load(0, oscillator, start_time, stretch, rate, end_time, options);
   lanes.run();
   return std::move(recorder.trajectory());
+}
+
+template <class T>
+bool is_settled(const Oscillator<T>& oscillator, const SmoothPressure<T>& pressure, const T& time, const T& stretch,
+                const T& rest_tol) {
+  if (!(rest_tol > T(0))) return false;
+  const T p = pressure(time);
+  for (const auto& piece : oscillator.pressure().pieces()) {
+    if (&piece.pressure >= &pressure && !(piece.pressure.is_constant() && piece.pressure(time) == p)) return false;
+  }
+  const Coefficients<T> c = oscillator.coefficients(Regime::inflating, stretch);
+  const T stiffness = c.elastic_slope - c.area_slope * p;
+  return stiffness > T(0) && std::abs(c.area * p - c.elastic) <= rest_tol * stiffness;
+}
+
+template <class T>
+std::string whereabouts(const Oscillator<T>& oscillator, const Point<T>& at) {
+  const auto number = [](const T& x) { return rounded(static_cast<double>(x), 8); };
+  const T scale = oscillator.scales().time;
+  return " (at t = " + number(at.time * scale) + " s, R = " + number(at.stretch) +
+         ", dR/dt = " + number(at.rate / scale) + " 1/s)";
 }
 
 template Trajectory<double> simulate(const Oscillator<double>&, const double&, const double&, const double&,
@@ -106,12 +127,21 @@ template Trajectory<double> simulate(const Oscillator<double>&, const double&, c
 template Trajectory<long double> simulate(const Oscillator<long double>&, const long double&, const long double&,
                                           const long double&, const long double&,
                                           const SimulationOptions<long double>&);
-template void check_start(const Oscillator<double>&, const double&, const double&, const double&, const double&,
-                          const SimulationOptions<double>&);
 template Regime regime_from_rest(const Oscillator<double>&, const SmoothPressure<double>&, const double&,
                                  const double&);
 template Regime regime_from_rest(const Oscillator<long double>&, const SmoothPressure<long double>&, const long double&,
                                  const long double&);
+
+template bool is_settled(const Oscillator<double>&, const SmoothPressure<double>&, const double&, const double&,
+                         const double&);
+template bool is_settled(const Oscillator<long double>&, const SmoothPressure<long double>&, const long double&,
+                         const long double&, const long double&);
+template std::string whereabouts(const Oscillator<double>&, const Point<double>&);
+template std::string whereabouts(const Oscillator<long double>&, const Point<long double>&);
+template void check_start(const Oscillator<double>&, const double&, const double&, const double&, const double&,
+                          const SimulationOptions<double>&);
+template void check_start(const Oscillator<long double>&, const long double&, const long double&, const long double&,
+                          const long double&, const SimulationOptions<long double>&);
 
 std::string_view name_of(Outcome outcome) {
   switch (outcome) {

@@ -34,8 +34,8 @@ Json model_json(const Case& c, const ModelChoice& choice) {
           {"dropped_term_ratios", dropped}};
 }
 
-Json statistics_json(const IntegratorStatistics& s) {
-  return {{"method", "Rodas5P"},
+Json statistics_json(Method method, const IntegratorStatistics& s) {
+  return {{"method", method == Method::quadrature ? "quadrature" : "DOP853 and Rodas5P"},
           {"steps", s.steps},
           {"rejected", s.rejected},
           {"rate_evaluations", s.rate_evaluations},
@@ -82,7 +82,7 @@ std::string run_json(const Case& c, const RunResult& result) {
       {"timings", {{"integration_s", result.integration_seconds}}},
       {"model", model_json(c, result.choice)},
       {"tolerances", {{"rtol", c.solve.rtol}, {"atol", c.solve.atol}}},
-      {"integrator", statistics_json(trajectory.statistics)},
+      {"integrator", statistics_json(c.solve.method, trajectory.statistics)},
       {"quantities", quantities},
       {"units", units},
       {"final_state",

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "parts.hpp"
+#include "turgor/integrate/quadrature.hpp"
 
 namespace turgor {
 
@@ -55,7 +56,8 @@ Trajectory<double> integrate(const Case& c, const Oscillator<double>& oscillator
   options.max_stretch = c.max_stretch;
   options.max_steps = c.solve.max_steps;
   if (progress) options.keep_going = [&](const double& time) { return progress(time * clock); };
-  return simulate(oscillator, 0.0, c.stretch, c.stretch_rate * clock, c.solve.t_end / clock, options);
+  const auto& method = c.solve.method == Method::quadrature ? simulate_by_quadrature<double> : simulate<double>;
+  return method(oscillator, 0.0, c.stretch, c.stretch_rate * clock, c.solve.t_end / clock, options);
 }
 
 /// Every simpler model's dropped terms over the range; for an explicitly chosen model only its own.

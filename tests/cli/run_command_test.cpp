@@ -37,6 +37,30 @@ json run_json(const Folder& folder, const std::string& directory) {
   return json::parse(contents(folder / directory / "run.json"));
 }
 
+// Both methods through the program, with the model left to it; 1e-8 is what rtol 1e-12 is good for here.
+TEST(RunCommand, MethodsAgreeUnderSteps) {
+  const Folder folder;
+  const std::string steps = R"(pressure={segments=[{step="36 kPa"},{hold="1 s"},{step="41 kPa"},{hold="0.3 s"},)"
+                            R"({step="20 kPa"},{hold="3 s"}]})";
+  for (const std::string method : {"adaptive", "quadrature"}) {
+    const auto result = turgor(folder, {"run", shipped("orifice-30mm"), "-o", method, "--no-pictures", "--set", steps,
+                                        "--set", "model.name=auto", "--set", "solve.rtol=1e-12", "--set",
+                                        "solve.method=" + method, "--set", "expect={}"});
+    ASSERT_EQ(result.code, 0) << result.err;
+    EXPECT_NE(contents(folder / method / "resolved.toml").find("method = \"" + method + "\""), std::string::npos);
+  }
+  const json adaptive = run_json(folder, "adaptive");
+  const json quadrature = run_json(folder, "quadrature");
+  EXPECT_EQ(quadrature.at("integrator").at("method"), "quadrature");
+  EXPECT_NE(adaptive.at("integrator").at("method"), "quadrature");
+  EXPECT_EQ(quadrature.at("model").at("name"), adaptive.at("model").at("name"));
+  for (const char* name : {"peak_stretch", "peak_time", "rise_time", "inlet_work", "dissipated"}) {
+    const double expected = adaptive.at("quantities").at(name);
+    EXPECT_NEAR(quadrature.at("quantities").at(name).get<double>(), expected, 1e-8 * std::abs(expected)) << name;
+  }
+  EXPECT_LT(quadrature.at("quantities").at("energy_error").get<double>(), 1e-11);
+}
+
 TEST(RunCommand, WritesTheRunDirectory) {
   const Folder folder;
   const auto result = turgor(folder, {"run", shipped("orifice-30mm"), "-o", "result"});

@@ -11,8 +11,17 @@
 
 namespace turgor {
 
+/// How a run follows the balloon.
+enum class Method {
+  adaptive,    ///< simulate(), for every pressure program
+  quadrature,  ///< simulate_by_quadrature(), for piecewise constant pressure
+};
+/// "adaptive" or "quadrature".
+[[nodiscard]] std::string_view name_of(Method method);
+
 /// How to integrate and which times to write.
 struct SolveSettings {
+  Method method;
   double t_end;  ///< [s]
   double rtol;
   double atol;

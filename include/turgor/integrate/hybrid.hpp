@@ -27,7 +27,7 @@ struct Crossing {
 };
 
 /// The two methods the integrator changes between.
-enum class Method {
+enum class StepMethod {
   explicit_pair,  ///< DOP853, order 8: stretches that are not stiff
   rosenbrock,     ///< Rodas5P, order 5, L-stable: stiff stretches
 };
@@ -73,7 +73,7 @@ class HybridIntegrator {
     std::array<std::array<T, remembered>, 2> sizes{};
   };
 
-  HybridIntegrator(System& system, Method method) : system_(system), method_(method) {}
+  HybridIntegrator(System& system, StepMethod method) : system_(system), method_(method) {}
 
   /// Starts a lane at time t and aims it at a target time; its state is set through component().
   void load(int l, const T& t, const T& target, const Tolerances<T>& tolerances) {
@@ -104,7 +104,7 @@ class HybridIntegrator {
   /// The lane is done.
   void retire(int l) { lane(running_, l) = T(0); }
 
-  [[nodiscard]] Method method() const { return method_; }
+  [[nodiscard]] StepMethod method() const { return method_; }
 
   /// All about one lane, to go on with it elsewhere.
   struct Parked {
@@ -210,7 +210,7 @@ class HybridIntegrator {
     using std::max;
     using std::min;
     if constexpr (width == 1) {
-      if (notes(0).kind >= 0) method_ = Method::explicit_pair;  // from rest: nothing is stiff yet
+      if (notes(0).kind >= 0) method_ = StepMethod::explicit_pair;  // from rest: nothing is stiff yet
     }
     V guess(0);
     V by_rate(0);
@@ -251,7 +251,7 @@ class HybridIntegrator {
         continue;
       }
       const T left = lane(target_, l) - lane(time_, l);
-      const int order = method_ == Method::explicit_pair ? Dop853<T>::order : Rodas5P<T>::order;
+      const int order = method_ == StepMethod::explicit_pair ? Dop853<T>::order : Rodas5P<T>::order;
       const T steepest = lane(guess, l);
       const T by_order = steepest > T(0) ? std::pow(T(0.01) / steepest, T(1) / static_cast<T>(order + 1)) : left;
       lane(size_, l) = std::min({by_order, lane(by_rate, l), left / 10});
@@ -266,7 +266,7 @@ class HybridIntegrator {
 
   void attempt(const V& h) {
     system_.with_flow([&](const auto& flow) {
-      if (System::stiff && method_ == Method::rosenbrock) {
+      if (System::stiff && method_ == StepMethod::rosenbrock) {
         if constexpr (System::stiff) attempt_rosenbrock(flow, h);
       } else {
         attempt_explicit(flow, h);
@@ -302,7 +302,7 @@ class HybridIntegrator {
     using std::max;
     using std::sqrt;
     const V eighth = sqrt(sqrt(sqrt(error_)));
-    const V root = method_ == Method::explicit_pair ? eighth : eighth * sqrt(eighth);  // error^(3/16), nearly 1/5
+    const V root = method_ == StepMethod::explicit_pair ? eighth : eighth * sqrt(eighth);  // error^(3/16), nearly 1/5
     return max(V(T(0.2)), V(T(0.9)) / root);
   }
 
@@ -360,14 +360,14 @@ class HybridIntegrator {
     system_.with_flow([&](const auto& flow) { radius = flow.stiffness(time_, state_); });
     // The explicit pair is stable up to about 6 on the negative axis, but long before that it follows a solution on a
     // slow manifold in stumbles; the other method's first steps onto the manifold are short.
-    const Condition due = which && (method_ == Method::explicit_pair ? h * radius > V(2) : h * radius < V(T(0.5)));
+    const Condition due = which && (method_ == StepMethod::explicit_pair ? h * radius > V(2) : h * radius < V(T(0.5)));
     for_lanes(due, [&](int l) { leave_method(l); });
   }
   /// A single lane changes its method; one of many is handed to others that use the other method.
   void leave_method(int l) {
     restart_as_is(l);
     if constexpr (width == 1) {
-      method_ = method_ == Method::explicit_pair ? Method::rosenbrock : Method::explicit_pair;
+      method_ = method_ == StepMethod::explicit_pair ? StepMethod::rosenbrock : StepMethod::explicit_pair;
     } else {
       system_.on_method_due(*this, l);
     }
@@ -411,7 +411,7 @@ class HybridIntegrator {
       if constexpr (System::stiff && width == 1) {
         // The system saw no event there, only a motion too small for the tolerance: leave that to the method that
         // damps.
-        if (running(l) && notes(l).kind < 0) method_ = Method::rosenbrock;
+        if (running(l) && notes(l).kind < 0) method_ = StepMethod::rosenbrock;
       }
       return;
     }
@@ -471,7 +471,7 @@ class HybridIntegrator {
   static constexpr T shortest_rise = T(1) / 16;  ///< of a step, from one event to the next
 
   System& system_;
-  Method method_;
+  StepMethod method_;
   V time_ = V(0);
   V target_ = V(0);
   V running_ = V(0);

@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "turgor/base/text.hpp"
 #include "turgor/integrate/hybrid.hpp"
 #include "turgor/integrate/oscillator_flow.hpp"
 #include "turgor/integrate/simulate.hpp"
@@ -47,7 +46,7 @@ class OscillatorLanes {
   using State = Eigen::Matrix<V, 2, 1>;  // (R, dR/dT)
 
   /// @param material  of all lanes; their constants may differ
-  OscillatorLanes(const Material<V>& material, Method method, Observer& observer)
+  OscillatorLanes(const Material<V>& material, StepMethod method, Observer& observer)
       : integrator_(*this, method), observer_(observer), material_(material) {}
 
   /// Puts a balloon into a lane. It starts at once, or stays at rest to its end, in which case it is finished already.
@@ -238,7 +237,7 @@ class OscillatorLanes {
     const int from_rest = b.regime == Regime::inflating ? 0 : 1;
     integrator_.restart(l, at_rest ? from_rest : -1);
     // From rest nothing is stiff yet.
-    if (width > 1 && at_rest && integrator_.method() == Method::rosenbrock) on_method_due(integrator_, l);
+    if (width > 1 && at_rest && integrator_.method() == StepMethod::rosenbrock) on_method_due(integrator_, l);
   }
   void set_flow(int l) {
     const BalloonInLane<T>& b = balloon(l);
@@ -254,7 +253,8 @@ class OscillatorLanes {
     const Regime before = b.regime;
     b.regime = regime_from_rest(*b.oscillator, *b.pressure, integrator_.time(l), integrator_.component(l, 0));
     if (b.regime == before || !(b.held || lane(steps_, l) > T(0))) return;
-    const bool rests = settled(l);
+    const bool rests =
+        is_settled(*b.oscillator, *b.pressure, integrator_.time(l), integrator_.component(l, 0), b.options->rest_tol);
     if (rests) b.regime = Regime::rest;
     ++b.events;
     observer_.event(*this, l, before, b.regime);
@@ -263,23 +263,6 @@ class OscillatorLanes {
     } else if (b.options->max_events > 0 && b.events >= b.options->max_events) {
       stop(l, Outcome::max_events, "");
     }
-  }
-
-  /// Whether a state of rest lies within rest_tol of a stable equilibrium of a pressure that never changes again.
-  [[nodiscard]] bool settled(int l) const {
-    const BalloonInLane<T>& b = balloon(l);
-    if (!(b.options->rest_tol > T(0))) return false;
-    const T R = integrator_.component(l, 0);
-    const T p = (*b.pressure)(integrator_.time(l));
-    for (const auto& piece : b.oscillator->pressure().pieces()) {
-      if (&piece.pressure >= b.pressure &&
-          !(piece.pressure.is_constant() && piece.pressure(integrator_.time(l)) == p)) {
-        return false;
-      }
-    }
-    const Coefficients<T> c = b.oscillator->coefficients(Regime::inflating, R);
-    const T stiffness = c.elastic_slope - c.area_slope * p;
-    return stiffness > T(0) && std::abs(c.area * p - c.elastic) <= b.options->rest_tol * stiffness;
   }
 
   void check_limits(unsigned which) {
@@ -304,12 +287,7 @@ class OscillatorLanes {
     finish(l);
   }
   void fail(int l, Outcome outcome, const std::string& what) {
-    const auto number = [](const T& x) { return rounded(static_cast<double>(x), 8); };
-    const T scale = balloon(l).oscillator->scales().time;
-    const Point<T> at = point(l);
-    stop(l, outcome,
-         what + " (at t = " + number(at.time * scale) + " s, R = " + number(at.stretch) +
-             ", dR/dt = " + number(at.rate / scale) + " 1/s)");
+    stop(l, outcome, what + whereabouts(*balloon(l).oscillator, point(l)));
   }
 
   Integrator integrator_;

@@ -47,16 +47,35 @@ template <class T>
 [[nodiscard]] Regime regime_from_rest(const Oscillator<T>& oscillator, const SmoothPressure<T>& pressure, const T& time,
                                       const T& stretch);
 
+/// Whether a state of rest at time T lies within rest_tol (in R) of a stable equilibrium of a pressure that never
+/// changes again; never for rest_tol = 0.
+template <class T>
+[[nodiscard]] bool is_settled(const Oscillator<T>& oscillator, const SmoothPressure<T>& pressure, const T& time,
+                              const T& stretch, const T& rest_tol);
+
+/// " (at t = ... s, R = ..., dR/dt = ... 1/s)", for messages.
+template <class T>
+[[nodiscard]] std::string whereabouts(const Oscillator<T>& oscillator, const Point<T>& at);
+
 extern template Trajectory<double> simulate(const Oscillator<double>&, const double&, const double&, const double&,
                                             const double&, const SimulationOptions<double>&);
 extern template Trajectory<long double> simulate(const Oscillator<long double>&, const long double&, const long double&,
                                                  const long double&, const long double&,
                                                  const SimulationOptions<long double>&);
-extern template void check_start(const Oscillator<double>&, const double&, const double&, const double&, const double&,
-                                 const SimulationOptions<double>&);
 extern template Regime regime_from_rest(const Oscillator<double>&, const SmoothPressure<double>&, const double&,
                                         const double&);
 extern template Regime regime_from_rest(const Oscillator<long double>&, const SmoothPressure<long double>&,
                                         const long double&, const long double&);
+
+extern template bool is_settled(const Oscillator<double>&, const SmoothPressure<double>&, const double&, const double&,
+                                const double&);
+extern template bool is_settled(const Oscillator<long double>&, const SmoothPressure<long double>&, const long double&,
+                                const long double&, const long double&);
+extern template std::string whereabouts(const Oscillator<double>&, const Point<double>&);
+extern template std::string whereabouts(const Oscillator<long double>&, const Point<long double>&);
+extern template void check_start(const Oscillator<double>&, const double&, const double&, const double&, const double&,
+                                 const SimulationOptions<double>&);
+extern template void check_start(const Oscillator<long double>&, const long double&, const long double&,
+                                 const long double&, const long double&, const SimulationOptions<long double>&);
 
 }  // namespace turgor
