@@ -1,6 +1,8 @@
 // turgor sweep. `turgor` replaces itself by this program, which alone is linked with NetCDF and MPI.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -13,6 +15,7 @@
 #include "turgor/base/text.hpp"
 #include "turgor/sweep/ranks.hpp"
 #include "turgor/sweep/run_sweep.hpp"
+#include "turgor/view/sweep_pictures.hpp"
 
 namespace turgor::cli {
 
@@ -39,16 +42,21 @@ std::string summary_text(const SweepResult& result, const std::string& output) {
   out += " in " + rounded(result.seconds, 3) + " s (" + rounded(rate_of(result), 3) + " per second), " +
          std::to_string(s.failed) + " failed\n";
   for (const auto& [reason, count] : s.failures) out += "  " + std::to_string(count) + " failed: " + reason + "\n";
-  const auto column = [](std::string text) {
-    text.resize(std::max<std::size_t>(text.size(), 14), ' ');
-    return text + " ";
-  };
-  out += "  " + column("") + "     " + column("members") + column("least") + column("mean") + "greatest\n";
+  std::vector<std::array<std::string, 5>> table{{"", "members", "least", "mean", "greatest"}};
   for (const QuantitySummary& q : s.quantities) {
-    std::string name = q.name + (q.unit == "1" ? "" : " [" + q.unit + "]");
-    name.resize(std::max<std::size_t>(name.size(), 20), ' ');
-    out += "  " + name + column(std::to_string(q.count));
-    if (q.count > 0) out += column(rounded(q.least, 6)) + column(rounded(q.mean, 6)) + rounded(q.greatest, 6);
+    table.push_back({q.name + (q.unit == "1" ? "" : " [" + q.unit + "]"), std::to_string(q.count)});
+    if (q.count > 0) {
+      std::ranges::copy(std::array{rounded(q.least, 6), rounded(q.mean, 6), rounded(q.greatest, 6)},
+                        table.back().begin() + 2);
+    }
+  }
+  constexpr std::array<std::size_t, 5> width{22, 11, 14, 14, 14};
+  for (const auto& row : table) {
+    out += "  ";
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      out += row[i] + std::string(std::max<std::size_t>(width[i], row[i].size() + 2) - row[i].size(), ' ');
+    }
+    out.resize(out.find_last_not_of(' ') + 1);
     out += "\n";
   }
   return out + "  written to " + output + "\n";
@@ -94,6 +102,10 @@ int sweep_case_file(const SweepArguments& arguments, Ranks* ranks) {
   if (line) line->finish();
   if (ranks != nullptr && ranks->rank() != 0) return exit_done;
   const std::string output = options.output.string();
+  std::string picture_problem;
+  if (result.complete && c.output.pictures && !arguments.no_pictures) {
+    picture_problem = draw_sweep(c, result.summary, options.output);
+  }
   if (arguments.input.json) std::cout << summary_json(result, output).dump(2) << "\n";
   if (!result.complete) {
     std::cerr << "interrupted: " << result.progress.done << " of " << result.progress.all << " members are kept in "
@@ -101,6 +113,7 @@ int sweep_case_file(const SweepArguments& arguments, Ranks* ranks) {
     return exit_interrupted;
   }
   if (talks) std::cout << c.title << "\n" << summary_text(result, output);
+  if (!picture_problem.empty() && !arguments.quiet) std::cerr << "warning: " << picture_problem << "\n";
   return exit_done;
 }
 

@@ -63,10 +63,8 @@ Journal::Journal(std::filesystem::path file, const Identity& identity) : file_(s
   try {
     // Exclusive: no shared memory, which network file systems lack, and no second sweep into the same file.
     execute("PRAGMA locking_mode = EXCLUSIVE");
-    execute("PRAGMA page_size = 32768");
     execute("PRAGMA journal_mode = WAL");
     execute("PRAGMA synchronous = NORMAL");
-    execute("PRAGMA wal_autocheckpoint = 256");
     if (has_tables()) {
       compare(identity);
     } else {

@@ -95,22 +95,26 @@ SweepPlan::SweepPlan(SweepSettings settings) : settings_(std::move(settings)) {
   }
 }
 
-std::vector<Node> SweepPlan::values(std::uint64_t member) {
-  if (settings_.sampler == Sampler::grid) return grid_member(member);
-  const std::vector<double> u = point(member);
-  std::vector<Node> values;
-  values.reserve(u.size());
-  for (std::size_t a = 0; a < u.size(); ++a) {
-    values.push_back(node_of(settings_.axes[a], quantile_of(settings_.axes[a], u[a])));
+std::vector<std::uint64_t> SweepPlan::indices(std::uint64_t member) const {
+  std::vector<std::uint64_t> at(grid_.size());
+  for (std::size_t a = grid_.size(); a-- > 0;) {
+    at[a] = member % grid_[a].size();
+    member /= grid_[a].size();
   }
-  return values;
+  return at;
 }
 
-std::vector<Node> SweepPlan::grid_member(std::uint64_t member) const {
-  std::vector<Node> values(grid_.size());
-  for (std::size_t a = grid_.size(); a-- > 0;) {
-    values[a] = grid_[a][member % grid_[a].size()];
-    member /= grid_[a].size();
+std::vector<Node> SweepPlan::values(std::uint64_t member) {
+  std::vector<Node> values;
+  values.reserve(settings_.axes.size());
+  if (settings_.sampler == Sampler::grid) {
+    const auto at = indices(member);
+    for (std::size_t a = 0; a < at.size(); ++a) values.push_back(grid_[a][at[a]]);
+    return values;
+  }
+  const std::vector<double> u = point(member);
+  for (std::size_t a = 0; a < u.size(); ++a) {
+    values.push_back(node_of(settings_.axes[a], quantile_of(settings_.axes[a], u[a])));
   }
   return values;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <numeric>
 
 #include "chunk.hpp"
 #include "netcdf_file.hpp"
@@ -40,11 +41,38 @@ std::string word_in(const Node& node) {
   return word != nullptr ? *word : node.text();
 }
 
+/// Which members a picture shows.
+class Thinning {
+ public:
+  explicit Thinning(const SweepPlan& plan) : plan_(plan) {
+    constexpr std::uint64_t most_cells = 400;    // of a map, each way
+    constexpr std::uint64_t most_points = 5000;  // of a curve or cloud
+    const SweepSettings& s = plan.settings();
+    if (s.sampler == Sampler::grid && s.axes.size() == 2) {
+      for (const Axis& axis : s.axes) strides_.push_back((axis.count() + most_cells - 1) / most_cells);
+      return;
+    }
+    stride_ = (s.members + most_points - 1) / most_points;
+    while (s.axes.size() > 1 && std::gcd(stride_, s.members) > 1) ++stride_;  // else it may keep to a row of the grid
+  }
+
+  [[nodiscard]] bool keeps(std::uint64_t member) const {
+    if (strides_.empty()) return member % stride_ == 0;
+    const auto at = plan_.indices(member);
+    return at[0] % strides_[0] == 0 && at[1] % strides_[1] == 0;
+  }
+
+ private:
+  const SweepPlan& plan_;
+  std::vector<std::uint64_t> strides_;  ///< of a map
+  std::uint64_t stride_ = 1;
+};
+
 /// Collects the rows of all chunks in order and writes them variable by variable.
 class ResultWriter {
  public:
   ResultWriter(const std::filesystem::path& file, const Case& c, SweepPlan plan)
-      : file_(file), case_(c), plan_(std::move(plan)), asked_(questions_of(plan_.settings())) {
+      : file_(file), case_(c), plan_(std::move(plan)), asked_(questions_of(plan_.settings())), thinning_(plan_) {
     describe();
     if (plan_.settings().sampler == Sampler::grid) {
       define_grid();
@@ -65,6 +93,7 @@ class ResultWriter {
       failure_rows_.push_back(message - 1);
       if (message > 0) ++summary_.failures[static_cast<std::size_t>(message - 1)].second;
       add_numbers(row + ChunkResult::leading_columns);
+      sample(row + ChunkResult::leading_columns);
     }
     if (outcome_rows_.size() >= buffered_rows) flush();
   }
@@ -173,6 +202,7 @@ class ResultWriter {
       summary_.quantities.push_back({std::string(name.name), std::string(name.unit)});
     }
     column_rows_.resize(columns_.size());
+    summary_.sample.values.resize(columns_.size());
     if (asked_.event_times == 0) return;
     auto dimensions = dimensions_;
     dimensions.push_back(file_.dimension("event", asked_.event_times));
@@ -202,6 +232,13 @@ class ResultWriter {
     const double* times = numbers + columns_.size();
     time_rows_.insert(time_rows_.end(), times, times + asked_.event_times);
     stretch_rows_.insert(stretch_rows_.end(), times + asked_.event_times, times + 2 * asked_.event_times);
+  }
+
+  void sample(const double* numbers) {
+    const std::uint64_t member = members_seen_++;
+    if (!thinning_.keeps(member)) return;
+    summary_.sample.members.push_back(member);
+    for (std::size_t q = 0; q < columns_.size(); ++q) summary_.sample.values[q].push_back(numbers[q]);
   }
 
   template <class Value>
@@ -241,6 +278,8 @@ class ResultWriter {
   std::vector<int> failure_rows_;
   std::vector<std::vector<double>> axis_rows_, column_rows_;
   std::vector<double> time_rows_, stretch_rows_;
+  Thinning thinning_;
+  std::uint64_t members_seen_ = 0;
   SweepSummary summary_;
 };
 

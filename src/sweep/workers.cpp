@@ -16,7 +16,7 @@ void compute_chunks(const Case& c, const SweepPlan& plan, int threads, const Chu
   if (threads == 0) threads = tbb::info::default_concurrency();
   const auto count = static_cast<std::size_t>(threads);
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, count);
-  tbb::enumerable_thread_specific<ChunkRunner> runners([&] { return ChunkRunner(c, plan); });
+  tbb::enumerable_thread_specific<ChunkRunner> runners(ChunkRunner(c, plan));  // each thread gets a copy
 
   const auto source = tbb::make_filter<void, std::uint64_t>(tbb::filter_mode::serial_in_order,
                                                             [&](tbb::flow_control& control) -> std::uint64_t {

@@ -55,11 +55,11 @@ inline constexpr std::uint64_t most_members = 1'000'000'000;
 
 struct SweepSettings {
   Sampler sampler = Sampler::grid;
-  std::uint64_t members = 0;            ///< product of the axes' counts for a grid
-  std::uint64_t seed = 0;               ///< of the samplers
-  std::vector<std::string> quantities;  ///< asked quantities of interest, in the order of quantity_names()
-  std::uint64_t event_times = 0;        ///< so many first events are kept of each member
-  std::vector<Axis> axes;
+  std::uint64_t members = 0;              ///< product of the axes' counts for a grid
+  std::uint64_t seed = 0;                 ///< of the samplers
+  std::vector<std::string> quantities{};  ///< asked quantities of interest, in the order of quantity_names()
+  std::uint64_t event_times = 0;          ///< so many first events are kept of each member
+  std::vector<Axis> axes{};
 };
 
 }  // namespace turgor

@@ -29,13 +29,14 @@ class SweepPlan {
 
   [[nodiscard]] const SweepSettings& settings() const { return settings_; }
   [[nodiscard]] std::uint64_t members() const { return settings_.members; }
+  /// A grid's index along each axis.
+  [[nodiscard]] std::vector<std::uint64_t> indices(std::uint64_t member) const;
   /// One value for each axis, in the form that its key takes.
   [[nodiscard]] std::vector<Node> values(std::uint64_t member);
 
  private:
   using Permutations = std::vector<std::vector<std::uint32_t>>;
 
-  [[nodiscard]] std::vector<Node> grid_member(std::uint64_t member) const;
   /// The member's point in the unit cube, strictly inside.
   [[nodiscard]] std::vector<double> point(std::uint64_t member);
 

@@ -41,11 +41,18 @@ struct QuantitySummary {
   double greatest = 0;
 };
 
+/// Some members, for pictures: all of them where a picture can show as many.
+struct SweepSample {
+  std::vector<std::uint64_t> members;       ///< increasing
+  std::vector<std::vector<double>> values;  ///< for each asked quantity, one number per member in the sample
+};
+
 struct SweepSummary {
   std::uint64_t members = 0;
   std::uint64_t failed = 0;
   std::vector<std::pair<std::string, std::uint64_t>> failures;  ///< reasons, in order of the first member that has each
   std::vector<QuantitySummary> quantities;
+  SweepSample sample;
 };
 
 struct SweepResult {
