@@ -184,7 +184,7 @@ const Node* find_value(const Node& root, std::string_view path) {
 Node& place_value(Node& root, std::string_view path) {
   const auto wrong = [](std::string problem) { return InvalidInput("", "", std::move(problem)); };
   Node* node = &root;
-  do {
+  while (true) {
     const PathStep step = first_step(path);
     if (step.key.empty()) throw wrong("no key before the equals sign");
     auto* table = std::get_if<Node::Table>(&node->value);
@@ -203,9 +203,9 @@ Node& place_value(Node& root, std::string_view path) {
       }
       node = &(*array)[*index];
     }
+    if (step.rest.empty()) return *node;
     path = step.rest;
-  } while (!path.empty());
-  return *node;
+  }
 }
 
 void apply_override(Node& root, std::string_view assignment) {

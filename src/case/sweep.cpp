@@ -35,8 +35,10 @@ void declare_sweep(Schema& schema) {
   using enum ValueKind;
   schema.describe("sweep", "a parameter study, for `turgor sweep`; other commands check it and leave it at that");
   std::vector<std::string> sampler_names;
-  for (const Sampler sampler : samplers) sampler_names.emplace_back(name_of(sampler));
   std::vector<std::string> quantities;
+  sampler_names.reserve(samplers.size());
+  quantities.reserve(quantity_names().size());
+  for (const Sampler sampler : samplers) sampler_names.emplace_back(name_of(sampler));
   for (const auto& quantity : quantity_names()) quantities.emplace_back(quantity.name);
   schema.add({.path = "sweep.sampler",
               .kind = text,
@@ -204,7 +206,7 @@ class AxisReader {
     }
     const bool logarithmic = word != nullptr && *word == "log";
     if (!from || !to || !count) return false;
-    if (logarithmic && !(*from > 0 && *to > 0)) {
+    if (logarithmic && (*from <= 0 || *to <= 0)) {
       reader_.complain(path_ + (*from > 0 ? ".to" : ".from"), "must be > 0 with spacing = \"log\"",
                        "use spacing = \"linear\" across zero");
       return false;

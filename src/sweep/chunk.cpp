@@ -14,6 +14,7 @@ namespace {
 
 std::vector<std::string> keys_of(const SweepSettings& settings) {
   std::vector<std::string> keys;
+  keys.reserve(settings.axes.size());
   for (const Axis& axis : settings.axes) keys.push_back(axis.key);
   return keys;
 }
@@ -72,7 +73,7 @@ ChunkResult ChunkResult::decode(const std::string& bytes) {
 }
 
 ChunkRunner::ChunkRunner(const Case& c, SweepPlan plan)
-    : plan_(std::move(plan)), template_(c, keys_of(*c.sweep)), asked_(questions_of(*c.sweep)) {}
+    : plan_(std::move(plan)), template_(c, keys_of(plan_.settings())), asked_(questions_of(plan_.settings())) {}
 
 ChunkResult ChunkRunner::run(std::uint64_t chunk) {
   const std::uint64_t first = chunk * chunk_size;

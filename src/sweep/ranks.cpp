@@ -2,6 +2,8 @@
 
 #include <mpi.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <thread>
@@ -21,10 +23,8 @@ constexpr auto nap = std::chrono::microseconds(200);  // between two looks for m
 }  // namespace
 
 bool Ranks::launched() {
-  for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_RANK", "PMIX_RANK"}) {
-    if (std::getenv(variable) != nullptr) return true;  // NOLINT(concurrency-mt-unsafe): nobody sets it
-  }
-  return false;
+  constexpr std::array variables{"OMPI_COMM_WORLD_SIZE", "PMI_RANK", "PMIX_RANK"};
+  return std::ranges::any_of(variables, [](const char* variable) { return std::getenv(variable) != nullptr; });
 }
 
 Ranks::Ranks() {
@@ -36,7 +36,7 @@ Ranks::Ranks() {
 
 Ranks::~Ranks() { MPI_Finalize(); }
 
-bool Ranks::agree(bool rank_0_says) const {
+bool Ranks::agree(bool rank_0_says) {
   int value = rank_0_says ? 1 : 0;
   MPI_Bcast(&value, 1, MPI_INT, 0, MPI_COMM_WORLD);
   return value != 0;

@@ -131,7 +131,7 @@ void work_for(Coordinator& coordinator, const Case& c, const SweepPlan& plan, in
 
 /// Other ranks than 0.
 SweepResult work_for_rank_0(const Case& c, const SweepPlan& plan, int threads, Ranks& ranks) {
-  if (!ranks.agree(false)) return {};  // rank 0 says what is wrong
+  if (!Ranks::agree(false)) return {};  // rank 0 says what is wrong
   compute_chunks(
       c, plan, threads,
       {[&] { return ranks.ask(); }, [&](std::uint64_t chunk, const std::string& bytes) { ranks.send(chunk, bytes); }});
@@ -164,10 +164,10 @@ SweepResult run_sweep(const Case& c, const SweepOptions& options, Ranks* ranks) 
   try {
     journal.emplace(journal_file(options), identity_of(c));
   } catch (...) {
-    if (ranks != nullptr) (void)ranks->agree(false);
+    if (ranks != nullptr) (void)Ranks::agree(false);
     throw;
   }
-  if (ranks != nullptr) (void)ranks->agree(true);
+  if (ranks != nullptr) (void)Ranks::agree(true);
   const auto start = std::chrono::steady_clock::now();
   Coordinator coordinator(*journal, plan.members(), options);
   compute(coordinator, c, plan, options.threads, ranks);

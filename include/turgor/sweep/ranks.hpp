@@ -27,7 +27,7 @@ class Ranks {
   [[nodiscard]] int size() const { return size_; }
 
   /// What rank 0 says, on every rank.
-  [[nodiscard]] bool agree(bool rank_0_says) const;
+  [[nodiscard]] static bool agree(bool rank_0_says);
 
   /// Rank 0: answers the others until all of them have left.
   /// @param next      a chunk to hand out, or nothing when there is none left
