@@ -2,16 +2,25 @@
 // Ctrl-C and SIGTERM as a question that a computation asks now and then.
 
 #include <csignal>
+#include <ctime>
 
 namespace turgor::cli {
 
 namespace detail {
 inline volatile std::sig_atomic_t interrupted = 0;  // NOLINT: a signal handler can reach nothing else
 
-/// A second signal ends the program at once.
+inline volatile std::time_t since = 0;  // NOLINT: likewise
+
+/// A second signal ends the program at once; one right after the first is the same one, since `timeout` and mpirun send
+/// theirs to a process and again to its group.
 inline void on_signal(int number) {
-  interrupted = 1;
-  (void)std::signal(number, SIG_DFL);
+  if (interrupted == 0) {
+    since = std::time(nullptr);
+    interrupted = 1;
+  } else if (std::time(nullptr) > since + 1) {
+    (void)std::signal(number, SIG_DFL);
+    (void)std::raise(number);
+  }
 }
 }  // namespace detail
 

@@ -70,6 +70,7 @@ class Evaluator {
  private:
   using Value = std::optional<double>;
 
+  // NOLINTBEGIN(readability-make-member-function-const): one type for all; some keep what others need again
   Value peak_stretch() { return peak_; }
   Value peak_time() { return peak_time_ * clock_; }
   Value rise_time() { return seconds(ten_to_ninety(trajectory_, initial_, peak_, start_, peak_time_)); }
@@ -100,6 +101,7 @@ class Evaluator {
   }
   Value final_well() { return well_of(trajectory_.last.stretch); }
   Value switched() { return well_of(initial_) == well_of(trajectory_.last.stretch) ? 0 : 1; }
+  // NOLINTEND(readability-make-member-function-const)
 
   [[nodiscard]] Value seconds(const Value& time) const { return time ? Value(*time * clock_) : std::nullopt; }
 

@@ -128,6 +128,7 @@ void NetcdfFile::put(const Variable& variable, std::size_t first, std::span<cons
 }
 void NetcdfFile::put(const Variable& variable, const std::vector<std::string>& values) {
   std::vector<const char*> texts;
+  texts.reserve(values.size());
   for (const std::string& value : values) texts.push_back(value.c_str());
   check(nc_put_var_string(id_, variable.id, texts.data()));
 }
@@ -136,7 +137,7 @@ void NetcdfFile::close() {
   const int id = id_;
   id_ = -1;
   check(nc_close(id));
-  const int file = open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+  const int file = open(path_.c_str(), O_RDONLY | O_CLOEXEC);  // NOLINT: its C signature
   const bool synced = file >= 0 && fsync(file) == 0;
   if (file >= 0) ::close(file);
   if (!synced) throw ComputationFailed("cannot write " + path_.string() + ": is the disk full?");

@@ -84,6 +84,7 @@ class ResultWriter {
 
   void add(const ChunkResult& chunk) {
     std::vector<int> numbers{0};  // of the chunk's messages among all
+    numbers.reserve(chunk.messages.size() + 1);
     for (const std::string& message : chunk.messages) numbers.push_back(number_of(message));
     for (std::size_t i = 0; i < chunk.size(); ++i) {
       const double* row = chunk.row(i);
@@ -103,6 +104,7 @@ class ResultWriter {
     if (summary_.members != plan_.members()) throw ComputationFailed("the journal misses members");
     if (!summary_.failures.empty()) {
       std::vector<std::string> texts;
+      texts.reserve(summary_.failures.size());
       for (const auto& [text, count] : summary_.failures) texts.push_back(text);
       const auto variable = file_.strings("failure_message", {file_.dimension("failure_kind", texts.size())});
       file_.attribute(&variable, "long_name", "what the values of `failure` stand for");
@@ -135,10 +137,12 @@ class ResultWriter {
       const auto variable = define_axis(axis, dimensions_.back());
       if (has_words(axis)) {
         std::vector<std::string> words;
+        words.reserve(values.size());
         for (const Node& value : values) words.push_back(word_in(value));
         file_.put(variable, words);
       } else {
         std::vector<double> numbers;
+        numbers.reserve(values.size());
         for (const Node& value : values) numbers.push_back(number_in(value));
         file_.put(variable, 0, numbers);
       }

@@ -32,12 +32,12 @@ std::string smooth_palette() {
 
 /// One colour for each whole number from least to greatest: at most as many as there are colours.
 std::string stepped_palette(double least, double greatest) {
-  const double levels = greatest - least + 1;
+  const auto levels = static_cast<int>(greatest - least + 1);
   std::string out;
-  for (double k = 0; k < levels; ++k) {
-    const double share = levels > 1 ? k / (levels - 1) : 0.5;
+  for (int k = 0; k < levels; ++k) {
+    const double share = levels > 1 ? static_cast<double>(k) / (levels - 1) : 0.5;
     const std::string colour = colours[static_cast<std::size_t>(std::lround(share * (colours.size() - 1)))];
-    for (const double at : {k, k + 1}) out += (out.empty() ? "" : ", ") + rounded(at, 3) + " '" + colour + "'";
+    for (const int at : {k, k + 1}) out += (out.empty() ? "" : ", ") + std::to_string(at) + " '" + colour + "'";
   }
   return "set palette maxcolors 0\nset palette defined (" + out + ")\nset cbrange [" + rounded(least - 0.5, 6) + ":" +
          rounded(greatest + 0.5, 6) + "]\nset cbtics 1\n";
@@ -72,7 +72,7 @@ class Scale {
   [[nodiscard]] double position(const Node& value, std::uint64_t index) const {
     if (listed_) return static_cast<double>(index);
     const auto* exact = value.as<Node::Quantity>();
-    const double x = factor_ * (exact != nullptr ? exact->value : *value.as<double>());
+    const double x = factor_ * (exact != nullptr ? exact->value : std::get<double>(value.value));
     return logarithmic_ ? std::log10(x) : x;
   }
 
@@ -108,9 +108,8 @@ class Scale {
       const double from = std::pow(10, least);
       const double to = std::pow(10, greatest);
       const double step = round_step((to - from) / 3);
-      for (double x = std::ceil(from / step * (1 - 1e-9)) * step; x <= to * (1 + 1e-9); x += step) {
-        add_tic(tics, rounded(x, 4), std::log10(x));
-      }
+      const auto first = static_cast<int>(std::ceil(from / step * (1 - 1e-9)));
+      for (int k = first; k * step <= to * (1 + 1e-9); ++k) add_tic(tics, rounded(k * step, 4), std::log10(k * step));
       return tics;
     }
     const std::vector<int> digits = decades > 2.5 ? std::vector<int>{1} : std::vector<int>{1, 2, 5};
@@ -135,7 +134,7 @@ class Scale {
 class SweepPicture {
  public:
   SweepPicture(const Case& c, const SweepSummary& summary, std::filesystem::path output)
-      : case_(c), summary_(summary), output_(std::move(output)), plan_(*c.sweep) {
+      : case_(c), summary_(summary), output_(std::move(output)), plan_(c.sweep.value()) {
     for (const Axis& axis : plan_.settings().axes) scales_.emplace_back(c, axis);
     positions_.resize(scales_.size());
     for (const std::uint64_t member : summary.sample.members) {
