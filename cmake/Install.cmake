@@ -3,8 +3,11 @@ include(CMakePackageConfigHelpers)
 
 install(TARGETS turgor_core turgor_case EXPORT turgorTargets)
 install(TARGETS turgor RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+if(TURGOR_SWEEP)
+  install(TARGETS turgor-sweep RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
 install(DIRECTORY include/turgor DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  FILES_MATCHING PATTERN "*.hpp" PATTERN "run" EXCLUDE PATTERN "view" EXCLUDE)
+  FILES_MATCHING PATTERN "*.hpp" PATTERN "run" EXCLUDE PATTERN "sweep" EXCLUDE PATTERN "view" EXCLUDE)
 install(FILES ${PROJECT_BINARY_DIR}/include/turgor/base/version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/turgor/base)
 install(FILES docs/turgor.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(DIRECTORY cases DESTINATION ${CMAKE_INSTALL_DATADIR}/turgor)

@@ -112,7 +112,7 @@ void read_material(Reader& reader, Case& c) {
 void read_balloon(Reader& reader, Case& c) {
   const auto title = reader.text("title");
   c.title = title ? *title : c.file.stem().string();
-  reader.resolve("title", toml_string(c.title));
+  reader.resolve("title", [&] { return toml_string(c.title); });
   Parameters<double>& p = c.parameters;
   const auto radius = reader.number("balloon.radius");
   const auto thickness = reader.number("balloon.thickness");

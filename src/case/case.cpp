@@ -1,6 +1,5 @@
 #include "turgor/case/case.hpp"
 
-#include <array>
 #include <fstream>
 #include <iterator>
 
@@ -8,45 +7,40 @@
 
 namespace turgor {
 
-namespace {
-
-struct Part {
-  void (*declare)(Schema&);
-  void (*read)(Reader&, Case&);
-};
-
-/// In reading order: later parts may use what earlier ones have read.
-constexpr std::array<Part, 5> parts{{
-    {declare_balloon, read_balloon},
-    {declare_pressure, read_pressure},
-    {declare_solve, read_solve},
-    {declare_motion, read_motion},
-    {declare_report, read_report},
-}};
-
-}  // namespace
+std::span<const Part> case_parts() {
+  static const std::vector<Part> parts{
+      {declare_balloon, read_balloon, {"balloon", "material", "fluid", "inlet"}, false, true},
+      {declare_pressure, read_pressure, {"pressure"}, false, true},
+      {declare_solve, read_solve, {"solve"}, false, true},
+      {declare_motion, read_motion, {"initial", "model", "scales"}, true, true},
+      {declare_report, read_report, {"output", "expect"}, false, false},
+      {declare_sweep, read_sweep, {"sweep"}, false, false},
+  };
+  return parts;
+}
 
 const Schema& case_schema() {
   static const Schema schema = [] {
     Schema all;
-    for (const Part& part : parts) part.declare(all);
+    for (const Part& part : case_parts()) part.declare(all);
     return all;
   }();
   return schema;
 }
 
 Case parse_case(const std::string& text, const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  Node root = parse_toml(text, file.string());
-  for (const std::string& assignment : overrides) apply_override(root, assignment);
+  const auto root = std::make_shared<Node>(parse_toml(text, file.string()));
+  for (const std::string& assignment : overrides) apply_override(*root, assignment);
 
   Case c;
   c.file = file;
   c.source = text;
-  Reader reader(case_schema(), root);
+  Reader reader(case_schema(), *root);
   reader.check_unknown();
-  for (const Part& part : parts) part.read(reader, c);
+  for (const Part& part : case_parts()) part.read(reader, c);
   if (!reader.issues().empty()) throw InvalidInput(reader.issues());
   c.resolved = reader.resolved();
+  c.tree = root;
   return c;
 }
 

@@ -63,7 +63,7 @@ void read_initial(Reader& reader, Case& c) {
       return;
     }
     c.stretch = lowest->stretch;
-    reader.resolve("initial.stretch", toml_quantity(c.stretch, "1"));
+    reader.resolve("initial.stretch", [&] { return toml_quantity(c.stretch, "1"); });
   } else {
     c.stretch = reader.number("initial.stretch").value_or(1);
   }
@@ -89,6 +89,7 @@ void read_model(Reader& reader, Case& c) {
   const auto closure = reader.text("model.closure");
   c.auto_tolerance = reader.number("model.auto_tolerance").value_or(0.05);
   c.parameters.closure = closure == "theoretical" ? Closure::theoretical : Closure::corrected;
+  c.model.reset();
   for (const Model model : {Model::full, Model::orifice, Model::long_channel}) {
     if (name == name_of(model)) c.model = model;
   }
@@ -114,8 +115,8 @@ void read_motion(Reader& reader, Case& c) {
   if (!reader.issues().empty()) return;
   const Scales<double> scales = natural_scales(c.parameters, c.pressure, c.solve.t_end);
   c.scales = {scales.length, pressure.value_or(scales.pressure), time.value_or(scales.time)};
-  reader.resolve("scales.pressure", toml_quantity(c.scales.pressure, "Pa"));
-  reader.resolve("scales.time", toml_quantity(c.scales.time, "s"));
+  reader.resolve("scales.pressure", [&] { return toml_quantity(c.scales.pressure, "Pa"); });
+  reader.resolve("scales.time", [&] { return toml_quantity(c.scales.time, "s"); });
 }
 
 }  // namespace turgor

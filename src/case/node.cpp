@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
 #include <sstream>
 
 #include "turgor/base/errors.hpp"
@@ -60,35 +61,42 @@ InvalidInput bad_override(std::string_view assignment, std::string problem) {
         "write --set table.key=value, for example --set 'inlet.orifice_radius=2 cm'", command_line, 0}});
 }
 
-/// One step of a path: a key, and the list indices that follow it.
+/// One step of a path: a key, and what follows it up to the next key.
 struct PathStep {
-  std::string key;
-  std::vector<std::size_t> indices;
+  std::string_view key;
+  std::string_view indices;  ///< "[0][2]" or empty
+  std::string_view rest;
 };
 
-std::vector<PathStep> parse_path(std::string_view path, std::string_view assignment) {
-  std::vector<PathStep> steps;
-  while (true) {
-    const std::size_t dot = path.find('.');
-    std::string_view part = path.substr(0, dot);
-    PathStep step;
-    const std::size_t bracket = part.find('[');
-    step.key = std::string(part.substr(0, bracket));
-    part = bracket == std::string_view::npos ? std::string_view{} : part.substr(bracket);
-    while (!part.empty()) {
-      std::size_t index = 0;
-      const auto [end, error] = std::from_chars(part.data() + 1, part.data() + part.size(), index);
-      if (error != std::errc{} || part.front() != '[' || end == part.data() + part.size() || *end != ']') {
-        throw bad_override(assignment, "an index is written [0]");
-      }
-      step.indices.push_back(index);
-      part.remove_prefix(static_cast<std::size_t>(end + 1 - part.data()));
-    }
-    if (step.key.empty()) throw bad_override(assignment, "no key before the equals sign");
-    steps.push_back(std::move(step));
-    if (dot == std::string_view::npos) return steps;
-    path.remove_prefix(dot + 1);
+/// Splits off the first key, which may be quoted; an empty key when there is none.
+PathStep first_step(std::string_view path) {
+  PathStep step;
+  std::size_t end = 0;
+  while (end < path.size() && path[end] != '.' && path[end] != '[') ++end;
+  if (path.starts_with('"')) {
+    const std::size_t quote = path.find('"', 1);
+    if (quote == std::string_view::npos) return {};
+    step.key = path.substr(1, quote - 1);
+    end = quote + 1;
+  } else {
+    step.key = path.substr(0, end);
   }
+  path = end >= path.size() ? std::string_view{} : path.substr(end);
+  const std::size_t dot = path.find('.');
+  step.indices = path.substr(0, dot);
+  step.rest = dot == std::string_view::npos ? std::string_view{} : path.substr(dot + 1);
+  return step;
+}
+
+/// Splits "[3]" off a row of indices; nothing when it is not written like that.
+std::optional<std::size_t> first_index(std::string_view& indices) {
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(indices.data() + 1, indices.data() + indices.size(), index);
+  if (indices.front() != '[' || error != std::errc{} || end == indices.data() + indices.size() || *end != ']') {
+    return std::nullopt;
+  }
+  indices.remove_prefix(static_cast<std::size_t>(end + 1 - indices.data()));
+  return index;
 }
 
 Node parse_override_value(const std::string& text) {
@@ -132,6 +140,7 @@ std::string Node::text() const {
     std::string operator()(double d) const { return shortest(d); }
     std::string operator()(bool b) const { return b ? "true" : "false"; }
     std::string operator()(const Other& o) const { return o.text; }
+    std::string operator()(const Quantity& q) const { return "\"" + shortest(q.value) + " " + q.unit + "\""; }
   };
   std::string out = std::visit(Visitor{}, value);
   if (out.size() > 60) out = out.substr(0, 57) + "...";
@@ -139,8 +148,8 @@ std::string Node::text() const {
 }
 
 std::string_view Node::type_name() const {
-  static constexpr std::array<std::string_view, 7> names{"a table",  "a list",    "a string",      "an integer",
-                                                         "a number", "a boolean", "a date or time"};
+  static constexpr std::array<std::string_view, 8> names{"a table",  "a list",    "a string",       "an integer",
+                                                         "a number", "a boolean", "a date or time", "a quantity"};
   return names[value.index()];
 }
 
@@ -156,26 +165,59 @@ Node parse_toml(std::string_view text, const std::string& file) {
   }
 }
 
+const Node* find_value(const Node& root, std::string_view path) {
+  const Node* current = &root;
+  while (current != nullptr && !path.empty()) {
+    const PathStep step = first_step(path);
+    current = current->find(step.key);
+    std::string_view indices = step.indices;
+    while (current != nullptr && !indices.empty()) {
+      const auto index = first_index(indices);
+      const auto* array = current->as<Node::Array>();
+      current = index && array != nullptr && *index < array->size() ? &(*array)[*index] : nullptr;
+    }
+    path = step.rest;
+  }
+  return current;
+}
+
+Node& place_value(Node& root, std::string_view path) {
+  const auto wrong = [](std::string problem) { return InvalidInput("", "", std::move(problem)); };
+  Node* node = &root;
+  while (true) {
+    const PathStep step = first_step(path);
+    if (step.key.empty()) throw wrong("no key before the equals sign");
+    auto* table = std::get_if<Node::Table>(&node->value);
+    if (table == nullptr) throw wrong("the path runs through " + std::string(node->type_name()));
+    auto entry = std::ranges::find(*table, step.key, &Node::Entry::key);
+    if (entry == table->end()) {
+      entry = table->insert(table->end(), Node::Entry{std::string(step.key), Node{Node::Table{}, command_line, 0}});
+    }
+    node = &entry->node;
+    for (std::string_view indices = step.indices; !indices.empty();) {
+      const auto index = first_index(indices);
+      if (!index) throw wrong("an index is written [0]");
+      auto* array = std::get_if<Node::Array>(&node->value);
+      if (array == nullptr || *index >= array->size()) {
+        throw wrong(std::string(step.key) + " has no element [" + std::to_string(*index) + "]");
+      }
+      node = &(*array)[*index];
+    }
+    if (step.rest.empty()) return *node;
+    path = step.rest;
+  }
+}
+
 void apply_override(Node& root, std::string_view assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string_view::npos) throw bad_override(assignment, "no equals sign");
   std::string_view key = assignment.substr(0, equals);
   while (!key.empty() && key.back() == ' ') key.remove_suffix(1);
-  Node* node = &root;
-  for (const PathStep& step : parse_path(key, assignment)) {
-    auto* table = std::get_if<Node::Table>(&node->value);
-    if (table == nullptr) throw bad_override(assignment, "the path runs through " + std::string(node->type_name()));
-    auto entry = std::ranges::find(*table, step.key, &Node::Entry::key);
-    if (entry == table->end())
-      entry = table->insert(table->end(), Node::Entry{step.key, Node{Node::Table{}, command_line, 0}});
-    node = &entry->node;
-    for (const std::size_t index : step.indices) {
-      auto* array = std::get_if<Node::Array>(&node->value);
-      if (array == nullptr || index >= array->size()) {
-        throw bad_override(assignment, step.key + " has no element [" + std::to_string(index) + "]");
-      }
-      node = &(*array)[index];
-    }
+  Node* node = nullptr;
+  try {
+    node = &place_value(root, key);
+  } catch (const InvalidInput& error) {
+    throw bad_override(assignment, error.issues().front().problem);
   }
   std::string_view value = assignment.substr(equals + 1);
   while (!value.empty() && value.front() == ' ') value.remove_prefix(1);

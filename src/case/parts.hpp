@@ -1,6 +1,10 @@
 #pragma once
 // The parts a case is made of. Each declares its keys and reads them; later ones may use what earlier ones have read.
 
+#include <span>
+#include <string>
+#include <vector>
+
 #include "turgor/case/case.hpp"
 #include "turgor/case/reader.hpp"
 
@@ -20,5 +24,19 @@ void read_motion(Reader& reader, Case& c);
 
 void declare_report(Schema& schema);  // [output] [expect]
 void read_report(Reader& reader, Case& c);
+
+void declare_sweep(Schema& schema);  // [sweep]
+void read_sweep(Reader& reader, Case& c);
+
+struct Part {
+  void (*declare)(Schema&);
+  void (*read)(Reader&, Case&);
+  std::vector<std::string> tables;
+  bool uses_earlier;  ///< reads what earlier parts have put into the case
+  bool of_a_member;   ///< the members of a sweep can differ in it
+};
+
+/// All parts in reading order.
+[[nodiscard]] std::span<const Part> case_parts();
 
 }  // namespace turgor

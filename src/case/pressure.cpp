@@ -51,8 +51,26 @@ void declare_pressure(Schema& schema) {
 
 namespace {
 
+/// One segment as it was read.
+struct Segment {
+  std::string kind;
+  double value;
+  double duration = 0;
+  std::string shape{};
+};
+
+std::string toml_of(const std::vector<Segment>& segments) {
+  std::string out;
+  for (const Segment& s : segments) {
+    out += (out.empty() ? "[{ " : ", { ") + s.kind + " = " + toml_quantity(s.value, s.kind == "hold" ? "s" : "Pa");
+    if (s.kind == "to") out += ", over = " + toml_quantity(s.duration, "s") + ", shape = " + toml_string(s.shape);
+    out += " }";
+  }
+  return out + "]";
+}
+
 /// One segment; nothing is appended when something is wrong with it.
-void read_segment(Reader& reader, const std::string& path, SegmentList<double>& list, std::string& toml) {
+void read_segment(Reader& reader, const std::string& path, SegmentList<double>& list, std::vector<Segment>& segments) {
   const auto given = [&](const char* key) { return reader.node(path + "." + key) != nullptr; };
   const int kinds = (given("hold") ? 1 : 0) + (given("step") ? 1 : 0) + (given("to") ? 1 : 0);
   const std::string forms = "write { hold = \"2 s\" }, { step = \"36 kPa\" } or { to = \"36 kPa\", over = \"2 s\" }";
@@ -61,16 +79,15 @@ void read_segment(Reader& reader, const std::string& path, SegmentList<double>& 
                     forms);
     return;
   }
-  toml += toml.empty() ? "[{ " : ", { ";
   if (given("hold")) {
     if (const auto duration = reader.number(path + ".hold")) {
       list.hold(*duration);
-      toml += "hold = " + toml_quantity(*duration, "s");
+      segments.push_back({"hold", *duration});
     }
   } else if (given("step")) {
     if (const auto value = reader.number(path + ".step")) {
       list.step(*value);
-      toml += "step = " + toml_quantity(*value, "Pa");
+      segments.push_back({"step", *value});
     }
   } else {
     if (!given("over")) reader.complain(path, "says to but not over", forms);
@@ -79,8 +96,7 @@ void read_segment(Reader& reader, const std::string& path, SegmentList<double>& 
     const auto shape = reader.text(path + ".shape");
     if (value && duration && shape) {
       list.ramp(*value, *duration, *shape == "smooth" ? RampShape::smooth : RampShape::linear);
-      toml += "to = " + toml_quantity(*value, "Pa") + ", over = " + toml_quantity(*duration, "s") +
-              ", shape = " + toml_string(*shape);
+      segments.push_back({"to", *value, *duration, *shape});
     }
   }
   if (!given("to")) {
@@ -88,7 +104,6 @@ void read_segment(Reader& reader, const std::string& path, SegmentList<double>& 
       if (given(extra)) reader.complain(path + "." + extra, "goes with `to` only", forms);
     }
   }
-  toml += " }";
 }
 
 void read_segments(Reader& reader, Case& c) {
@@ -99,14 +114,14 @@ void read_segments(Reader& reader, Case& c) {
     return;
   }
   SegmentList<double> list(reader.number("pressure.start").value_or(0));
-  std::string toml;
+  std::vector<Segment> segments;
   for (std::size_t i = 0; i < items->size(); ++i) {
     if ((*items)[i].as<Node::Table>() != nullptr) {
-      read_segment(reader, "pressure.segments[" + std::to_string(i) + "]", list, toml);
+      read_segment(reader, "pressure.segments[" + std::to_string(i) + "]", list, segments);
     }
   }
   c.pressure = list.build();
-  reader.resolve("pressure.segments", toml + "]");
+  reader.resolve("pressure.segments", [&] { return toml_of(segments); });
 }
 
 void read_harmonic(Reader& reader, Case& c) {
@@ -117,16 +132,10 @@ void read_harmonic(Reader& reader, Case& c) {
   const auto phase = reader.number("pressure.harmonic.phase");
   if (!(mean && amplitude && frequency && phase)) return;
   c.pressure = harmonic_pressure(HarmonicPressure<double>{*mean, *amplitude, *frequency, *phase});
-  reader.resolve("pressure.harmonic", "{ mean = " + toml_quantity(*mean, "Pa") +
-                                          ", amplitude = " + toml_quantity(*amplitude, "Pa") +
-                                          ", frequency = " + toml_quantity(*frequency, "Hz") +
-                                          ", phase = " + toml_quantity(*phase, "rad") + " }");
-}
-
-std::string toml_list(const std::vector<double>& values, const std::string& unit) {
-  std::string out = "[";
-  for (const double value : values) out += (out.size() > 1 ? ", " : "") + toml_quantity(value, unit);
-  return out + "]";
+  reader.resolve("pressure.harmonic", [&] {
+    return "{ mean = " + toml_quantity(*mean, "Pa") + ", amplitude = " + toml_quantity(*amplitude, "Pa") +
+           ", frequency = " + toml_quantity(*frequency, "Hz") + ", phase = " + toml_quantity(*phase, "rad") + " }";
+  });
 }
 
 void read_table(Reader& reader, Case& c) {
@@ -162,8 +171,10 @@ void read_table(Reader& reader, Case& c) {
     }
     return;
   }
-  reader.resolve("pressure.table", "{ t = " + toml_list(table[0], "s") + ", p = " + toml_list(table[1], "Pa") +
-                                       ", interpolation = " + toml_string(*interpolation) + " }");
+  reader.resolve("pressure.table", [&] {
+    return "{ t = " + toml_list(table[0], "s") + ", p = " + toml_list(table[1], "Pa") +
+           ", interpolation = " + toml_string(*interpolation) + " }";
+  });
 }
 
 }  // namespace

@@ -22,6 +22,12 @@ std::string toml_quantity(double value, const std::string& unit) {
   return number;
 }
 
+std::string toml_list(const std::vector<double>& values, const std::string& unit) {
+  std::string out = "[";
+  for (const double value : values) out += (out.size() > 1 ? ", " : "") + toml_quantity(value, unit);
+  return out + "]";
+}
+
 namespace {
 
 std::string choices_text(const std::vector<std::string>& choices) {
@@ -36,37 +42,33 @@ bool contains(const std::vector<std::string>& list, std::string_view item) {
 
 }  // namespace
 
-Reader::Reader(const Schema& schema, const Node& root) : schema_(schema), root_(root) {}
-
-std::string Reader::material() const {
+Reader::Reader(const Schema& schema, const Node& root, bool keeps_resolved)
+    : schema_(schema), root_(root), keeps_resolved_(keeps_resolved) {
   const Node* model = node("material.model");
   const auto* name = model != nullptr ? model->as<std::string>() : nullptr;
-  return name != nullptr ? *name : "";
+  materials_.push_back(name != nullptr ? *name : "");
+  const Node* swept = node("sweep.axes.\"material.model\".values");
+  const auto* values = swept != nullptr ? swept->as<Node::Array>() : nullptr;
+  if (values == nullptr) return;
+  for (const Node& value : *values) {
+    if (const auto* other = value.as<std::string>()) materials_.push_back(*other);
+  }
+}
+
+const Key* Reader::find_key(std::string_view path) const {
+  for (const std::string& material : materials_) {
+    if (const Key* key = schema_.find(path, material)) return key;
+  }
+  return nullptr;
 }
 
 const Key& Reader::key(std::string_view path) const {
-  const Key* key = schema_.find(path, material());
+  const Key* key = find_key(path);
   if (key == nullptr) throw std::logic_error("key not declared: " + std::string(path));
   return *key;
 }
 
-const Node* Reader::node(std::string_view path) const {
-  const Node* current = &root_;
-  while (current != nullptr && !path.empty()) {
-    const std::size_t end = path.find_first_of(".[");
-    current = current->find(path.substr(0, end));
-    path = end == std::string_view::npos ? std::string_view{} : path.substr(end);
-    while (current != nullptr && path.starts_with('[')) {
-      std::size_t index = 0;
-      const auto* stop = std::from_chars(path.data() + 1, path.data() + path.size(), index).ptr;
-      const auto* array = current->as<Node::Array>();
-      current = array != nullptr && index < array->size() ? &(*array)[index] : nullptr;
-      path.remove_prefix(static_cast<std::size_t>(stop + 1 - path.data()));
-    }
-    if (path.starts_with('.')) path.remove_prefix(1);
-  }
-  return current;
-}
+const Node* Reader::node(std::string_view path) const { return find_value(root_, path); }
 
 bool Reader::is_word(const std::string& path, std::string_view word) const {
   const Node* given = node(path);
@@ -99,8 +101,9 @@ void Reader::complain(const InvalidInput& error) {
 std::optional<double> Reader::scalar(const std::string& path, const Key& key, const Node& given) {
   double value = 0;
   if (key.kind == ValueKind::quantity || key.kind == ValueKind::quantity_list) {
+    const auto* exact = given.as<Node::Quantity>();
     const auto* text = given.as<std::string>();
-    if (text == nullptr) {
+    if (exact == nullptr && text == nullptr) {
       const bool bare = given.as<double>() != nullptr || given.as<std::int64_t>() != nullptr;
       complain(path, bare ? "missing unit" : "is " + std::string(given.type_name()) + ", not a number with a unit",
                bare ? "write \"" + given.text() + " " + key.unit + "\", or another unit of that dimension"
@@ -108,7 +111,7 @@ std::optional<double> Reader::scalar(const std::string& path, const Key& key, co
       return std::nullopt;
     }
     try {
-      value = parse_quantity(*text, key.unit);
+      value = exact != nullptr ? exact->value : parse_quantity(*text, key.unit);
     } catch (const InvalidInput& error) {
       complain(path, error.issues().front().problem, error.issues().front().advice);
       return std::nullopt;
@@ -135,10 +138,18 @@ std::optional<double> Reader::scalar(const std::string& path, const Key& key, co
 }
 
 namespace {
+template <class Number>
+Number number_from(const std::string& text) {
+  Number value{};
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
 /// The default of a key as a node.
 Node fallback_node(const Key& key) {
-  if (key.kind == ValueKind::quantity || key.kind == ValueKind::text) return Node{key.fallback, "", 0};
-  return *parse_toml("value = " + key.fallback, "default of " + key.path).find("value");
+  if (key.kind == ValueKind::number) return Node{number_from<double>(key.fallback), "", 0};
+  if (key.kind == ValueKind::integer) return Node{number_from<std::int64_t>(key.fallback), "", 0};
+  return Node{key.fallback, "", 0};
 }
 }  // namespace
 
@@ -151,8 +162,17 @@ std::optional<double> Reader::number(const std::string& path) {
   }
   const std::optional<double> value =
       given != nullptr ? scalar(path, declared, *given) : scalar(path, declared, fallback_node(declared));
-  if (value) resolve(path, toml_quantity(*value, declared.unit));
+  if (value) resolve(path, [&] { return toml_quantity(*value, declared.unit); });
   return value;
+}
+
+std::optional<double> Reader::number_like(const std::string& path, const Key& like) {
+  const Node* given = node(path);
+  if (given == nullptr) {
+    complain(path, "missing");
+    return std::nullopt;
+  }
+  return scalar(path, like, *given);
 }
 
 std::optional<long> Reader::integer(const std::string& path) {
@@ -170,7 +190,7 @@ std::optional<long> Reader::integer(const std::string& path) {
     complain(path, "out of range", "allowed is " + declared.range.text("1"));
     return std::nullopt;
   }
-  resolve(path, std::to_string(*value));
+  resolve(path, [&] { return std::to_string(*value); });
   return static_cast<long>(*value);
 }
 
@@ -183,7 +203,7 @@ std::optional<bool> Reader::boolean(const std::string& path) {
     complain(path, "is " + std::string(given->type_name()) + ", not true or false");
     return std::nullopt;
   }
-  resolve(path, *value ? "true" : "false");
+  resolve(path, [&] { return std::string(*value ? "true" : "false"); });
   return *value;
 }
 
@@ -206,7 +226,7 @@ std::optional<std::string> Reader::text(const std::string& path) {
     complain(path, "unknown name", "one of " + choices_text(declared.choices));
     return std::nullopt;
   }
-  resolve(path, toml_string(*value));
+  resolve(path, [&] { return toml_string(*value); });
   return *value;
 }
 
@@ -227,15 +247,39 @@ std::optional<std::vector<double>> Reader::list(const std::string& path) {
     return std::nullopt;
   }
   std::vector<double> values;
-  std::string toml;
   for (std::size_t i = 0; i < array->size(); ++i) {
     const auto value = scalar(path + "[" + std::to_string(i) + "]", declared, (*array)[i]);
-    if (!value) continue;
-    values.push_back(*value);
-    toml += (toml.empty() ? "[" : ", ") + toml_quantity(*value, declared.unit);
+    if (value) values.push_back(*value);
   }
   if (values.size() != array->size()) return std::nullopt;
-  resolve(path, toml + "]");
+  resolve(path, [&] { return toml_list(values, declared.unit); });
+  return values;
+}
+
+std::optional<std::vector<std::string>> Reader::texts(const std::string& path) {
+  const Key& declared = key(path);
+  const Node* given = node(path);
+  if (given == nullptr) return std::nullopt;
+  const auto* array = given->as<Node::Array>();
+  if (array == nullptr) {
+    complain(path, "is " + std::string(given->type_name()) + ", not a list");
+    return std::nullopt;
+  }
+  std::vector<std::string> values;
+  std::string toml;
+  for (std::size_t i = 0; i < array->size(); ++i) {
+    const auto* value = (*array)[i].as<std::string>();
+    const std::string place = path + "[" + std::to_string(i) + "]";
+    if (value == nullptr) {
+      complain(place, "is " + std::string((*array)[i].type_name()) + ", not a string");
+    } else if (!declared.choices.empty() && !contains(declared.choices, *value)) {
+      complain(place, "unknown name", "one of " + choices_text(declared.choices));
+    } else {
+      values.push_back(*value);
+      toml += (toml.empty() ? "" : ", ") + toml_string(*value);
+    }
+  }
+  resolve(path, [&] { return "[" + toml + "]"; });
   return values;
 }
 
@@ -257,13 +301,13 @@ void Reader::check_unknown(const Node& node, const std::string& path) {
 }
 
 void Reader::check_entry(const Node& child, const std::string& path) {
-  const Key* known = schema_.find(path, material());
+  const Key* known = find_key(path);
   if (known == nullptr && !schema_.has_below(path)) {
     complain_unknown(path);
     return;
   }
   const ValueKind kind = known != nullptr ? known->kind : ValueKind::table;
-  if (kind == ValueKind::table && child.as<Node::Table>() == nullptr) {
+  if ((kind == ValueKind::table || kind == ValueKind::free_table) && child.as<Node::Table>() == nullptr) {
     complain(path, "is " + std::string(child.type_name()) + ", not a table");
   } else if (kind == ValueKind::table_list && child.as<Node::Array>() == nullptr) {
     complain(path, "is " + std::string(child.type_name()) + ", not a list of tables");
@@ -278,17 +322,17 @@ void Reader::complain_unknown(const std::string& path) {
     if (key.path == path) advice += (advice.empty() ? "it belongs to the model " : ", ") + key.only_with;
   }
   const std::string problem = advice.empty() ? "unknown key" : "not a key of this material";
-  const std::string near = schema_.nearest(path, material());
+  const std::string near = schema_.nearest(path, materials_.front());
   if (!near.empty()) advice += (advice.empty() ? "" : "; ") + ("did you mean " + near + "?");
   complain(path, problem, advice);
 }
 
-void Reader::resolve(const std::string& path, const std::string& toml) {
+void Reader::record(const std::string& path, std::string toml) {
   const auto found = std::ranges::find(resolved_, path, &std::pair<std::string, std::string>::first);
   if (found != resolved_.end()) {
-    found->second = toml;
+    found->second = std::move(toml);
   } else {
-    resolved_.emplace_back(path, toml);
+    resolved_.emplace_back(path, std::move(toml));
   }
 }
 

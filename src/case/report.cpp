@@ -67,8 +67,9 @@ void read_report(Reader& reader, Case& c) {
     if (!value || !tolerance) continue;
     const std::string unit(quantity.unit);
     c.expectations.push_back({std::string(quantity.name), *value, *tolerance});
-    reader.resolve(
-        path, "{ value = " + toml_quantity(*value, unit) + ", tolerance = " + toml_quantity(*tolerance, unit) + " }");
+    reader.resolve(path, [&] {
+      return "{ value = " + toml_quantity(*value, unit) + ", tolerance = " + toml_quantity(*tolerance, unit) + " }";
+    });
   }
 }
 

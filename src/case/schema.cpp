@@ -29,10 +29,18 @@ std::string without_indices(std::string_view path) {
   return out;
 }
 
+void Schema::add(Key key) {
+  by_path_[key.path].push_back(keys_.size());
+  keys_.push_back(std::move(key));
+}
+
 const Key* Schema::find(std::string_view path, std::string_view material) const {
-  const std::string name = without_indices(path);
-  for (const Key& key : keys_) {
-    if (key.path == name && (key.only_with.empty() || key.only_with == material)) return &key;
+  const bool has_indices = path.find('[') != std::string_view::npos;
+  const auto found = has_indices ? by_path_.find(without_indices(path)) : by_path_.find(path);
+  if (found == by_path_.end()) return nullptr;
+  for (const std::size_t at : found->second) {
+    const Key& key = keys_[at];
+    if (key.only_with.empty() || key.only_with == material) return &key;
   }
   return nullptr;
 }

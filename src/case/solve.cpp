@@ -86,19 +86,20 @@ void read_rows(Reader& reader, SolveSettings& s) {
     s.samples = reader.integer("solve.samples").value_or(2);
   } else {
     s.samples = 1000;
-    reader.resolve("solve.samples", "1000");
+    reader.resolve("solve.samples", [] { return std::string("1000"); });
   }
 }
 
 }  // namespace
 
 void read_solve(Reader& reader, Case& c) {
+  c.solve = {};
   SolveSettings& s = c.solve;
   s.t_end = reader.number("solve.t_end").value_or(0);
   read_method(reader, c, s);
   s.rtol = reader.number("solve.rtol").value_or(1e-9);
   s.atol = reader.number("solve.atol").value_or(s.rtol);
-  reader.resolve("solve.atol", toml_quantity(s.atol, "1"));
+  reader.resolve("solve.atol", [&] { return toml_quantity(s.atol, "1"); });
   read_rows(reader, s);
   s.max_events = reader.integer("solve.max_events").value_or(0);
   s.rest_tol = reader.number("solve.rest_tol").value_or(0);

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <memory>
+#include <mutex>
 
 #include "turgor/base/errors.hpp"
 
@@ -59,6 +60,8 @@ bool has_radians(const ut_unit* unit) {
 }
 
 double factor(const std::string& from, const std::string& to) {
+  static std::mutex one_at_a_time;  // UDUNITS-2 keeps its parser's state in globals
+  const std::scoped_lock lock(one_at_a_time);
   const Unit a = parse_unit(from, "write for example " + example_of(to));
   const Unit b = parse_unit(to, {});
   // ut_are_convertible also says yes to reciprocals (s and Hz), and radians count as dimensionless (rpm and Hz), so the

@@ -1,23 +1,12 @@
 #pragma once
 // What each command does once its arguments are known. Each returns the program's exit code.
 
-#include <functional>
 #include <string>
-#include <vector>
+
+#include "arguments.hpp"
+#include "guarded.hpp"
 
 namespace turgor::cli {
-
-inline constexpr int exit_done = 0;
-inline constexpr int exit_bad_input = 2;
-inline constexpr int exit_expectation_missed = 3;
-inline constexpr int exit_failed = 4;
-inline constexpr int exit_interrupted = 130;
-
-struct CaseArguments {
-  std::string file;
-  std::vector<std::string> overrides;
-  bool json = false;
-};
 
 struct RunArguments {
   CaseArguments input;
@@ -32,10 +21,6 @@ struct DocArguments {
   std::string table;
   bool json = false;
 };
-
-/// Runs a command and turns what it throws into messages on standard error and an exit code. With `json` the issues are
-/// also printed as a JSON document on standard output.
-int guarded(bool json, const std::function<int()>& command);
 
 int run_case_file(const RunArguments& arguments);
 int print_info(const CaseArguments& arguments);

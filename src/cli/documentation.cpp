@@ -20,7 +20,9 @@ std::string kind_name(ValueKind kind) {
     case ValueKind::text: return "string";
     case ValueKind::quantity_list: return "list of quantities";
     case ValueKind::number_list: return "list of numbers";
-    case ValueKind::table: return "table";
+    case ValueKind::text_list: return "list of strings";
+    case ValueKind::table:
+    case ValueKind::free_table: return "table";
     case ValueKind::table_list: return "list of tables";
   }
   return "";

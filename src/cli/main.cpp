@@ -1,6 +1,11 @@
-// The command line: turgor run | info | validate | doc | materials.
+// The command line: turgor run | sweep | info | validate | doc | materials.
+
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 #include <iostream>
 #include <string>
 
@@ -14,19 +19,22 @@ constexpr const char* exit_codes =
     "is "
     "kept); 130 interrupted (what was computed is kept).";
 
-void add_case(CLI::App& command, turgor::cli::CaseArguments& arguments) {
-  command.add_option("case", arguments.file, "case file (TOML)")->required();
-  command
-      .add_option("--set", arguments.overrides, "override a key: --set 'inlet.orifice_radius=2 cm'; may be repeated")
-      ->allow_extra_args(false)
-      ->type_name("KEY=VALUE");
-  command.add_flag("--json", arguments.json, "print one JSON document and nothing else");
+/// Replaces this program by turgor-sweep, which stands beside it: it is linked with NetCDF and MPI, whose loading would
+/// slow down every other command. Returns only when that fails.
+int hand_over_to_sweep(char** argv) {
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / "turgor-sweep";
+  execv(program.c_str(), argv);
+  std::cerr << "error: cannot start " << program.string() << " (" << std::strerror(errno)  // NOLINT: one thread
+            << "); it is built and installed together with turgor unless TURGOR_SWEEP is OFF\n";
+  return turgor::cli::exit_failed;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   using namespace turgor::cli;
+  if (argc > 1 && std::string_view(argv[1]) == "sweep") return hand_over_to_sweep(argv);
   CLI::App app{"turgor: liquid-filled hyperelastic balloons by the reduced-order model of Ilssar & Gat", "turgor"};
   app.set_version_flag("--version", std::string(turgor::version));
   app.require_subcommand(1);
@@ -44,6 +52,8 @@ int main(int argc, char** argv) {
   auto* quiet = run_command->add_flag("-q,--quiet", run.quiet, "print nothing but errors");
   run_command->add_flag("-v,--verbose", run.verbose, "also print model comparison and integrator work")
       ->excludes(quiet);
+
+  app.add_subcommand("sweep", "run the parameter study that a case describes, and write one NetCDF file");
 
   CaseArguments info;
   CLI::App* info_command = app.add_subcommand(
@@ -69,7 +79,8 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty()) {
-      std::cerr << "error: unknown command \"" << argv[1] << "\"; commands are run, info, validate, doc, materials\n";
+      std::cerr << "error: unknown command \"" << argv[1]
+                << "\"; commands are run, sweep, info, validate, doc, materials\n";
       return exit_bad_input;
     }
     return app.exit(error) == 0 ? exit_done : exit_bad_input;

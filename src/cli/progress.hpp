@@ -1,28 +1,34 @@
 #pragma once
 
-#include <boost/timer/progress_display.hpp>
 #include <chrono>
-#include <optional>
+#include <string>
 
 namespace turgor::cli {
 
-/// A progress bar on standard error for runs that take longer than a moment; silent when that is no terminal.
-class ProgressBar {
+/// One line on standard error for work that takes longer than a moment: share, rate, time left. Silent when that is no
+/// terminal.
+class ProgressLine {
  public:
-  /// @param end  simulated time at which the run is done [s]
-  ProgressBar(double end, bool wanted);
+  /// @param what    the unit that is counted: "members", "simulated seconds"
+  /// @param all     how many of it there are
+  /// @param before  how many were done before
+  ProgressLine(std::string what, double all, bool wanted, double before = 0);
 
-  /// Simulated time reached [s]; cheap enough to be called after every step.
-  void reach(double time);
+  /// How many are done; cheap enough to be called after every step.
+  void reach(double done);
+  /// Clears the line.
   void finish();
 
  private:
-  double end_;
+  using Clock = std::chrono::steady_clock;
+
+  std::string what_;
+  double all_;
+  double before_;
   bool shown_;
-  long calls_ = 0;
-  unsigned long done_ = 0;
-  std::chrono::steady_clock::time_point start_;
-  std::optional<boost::timer::progress_display> bar_;
+  bool drawn_ = false;
+  Clock::time_point start_;
+  Clock::time_point next_;
 };
 
 }  // namespace turgor::cli

@@ -86,7 +86,7 @@ std::vector<ExpectationResult> check(const Case& c, const RunResult& result) {
 
 }  // namespace
 
-RunResult run_case(const Case& c, const Progress& progress) {
+RunResult run_motion(const Case& c, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   RunResult result;
   result.oscillator = std::make_unique<Oscillator<double>>(make_oscillator(c, c.model.value_or(Model::full)));
@@ -99,6 +99,11 @@ RunResult run_case(const Case& c, const Progress& progress) {
   }
   result.choice.model = result.oscillator->model();
   result.integration_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+RunResult run_case(const Case& c, const Progress& progress) {
+  RunResult result = run_motion(c, progress);
   result.energies = std::make_unique<EnergyLedger>(*result.oscillator, *result.trajectory);
   result.quantities = quantities_of_interest(result);
   result.warnings = strained_assumptions(c, result);

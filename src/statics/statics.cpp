@@ -4,6 +4,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 namespace turgor {
 
@@ -36,34 +37,61 @@ StaticPressure static_pressure(const Parameters<double>& p, double R) {
 
 namespace {
 
-/// Extrema of the static pressure on [from, to], found on a geometric grid so fine that only two extrema closer than
-/// 0.2 % in R can be missed. Stretches at which the tension is not finite are left out.
-std::vector<LimitPoint> extrema(const Parameters<double>& p, double from, double to) {
-  const auto slope = [&](double R) { return static_pressure(p, R).slope; };
+/// An extremum of W'(R)/R^2, and so of the static pressure.
+struct Extremum {
+  double stretch;
+  bool maximum;
+};
+
+/// All of a material up to a stretch, found on a geometric grid so fine that only two extrema closer than 0.2 % in R
+/// can be missed. Stretches at which the tension is not finite are left out.
+std::vector<Extremum> find_extrema(const Material<double>& material, double to) {
+  const auto slope = [&](double R) {
+    const Jet<double> w = strain_energy(material, R);
+    return (w.second - 2 * w.first / R) / (R * R);
+  };
   constexpr double ratio = 1.001;
-  std::vector<LimitPoint> points;
-  double left = from;
+  std::vector<Extremum> found;
+  double left = smallest_stretch;
   double slope_left = slope(left);
   while (left < to) {
     const double right = std::min(left * ratio, to);
     const double slope_right = slope(right);
     if (std::isfinite(slope_left) && std::isfinite(slope_right) && (slope_left > 0) != (slope_right > 0)) {
-      const double R = root(slope, left, right);
-      points.push_back({R, static_pressure(p, R).value, slope_left > 0});
+      found.push_back({root(slope, left, right), slope_left > 0});
     }
     left = right;
     slope_left = slope_right;
   }
-  return points;
+  return found;
+}
+
+/// The extrema of a balloon's material. Those of the last material are remembered on each thread: the search takes 0.1
+/// ms, and the members of a sweep often share their material. Nothing else has an influence on them.
+const std::vector<Extremum>& extrema(const Parameters<double>& p) {
+  thread_local std::optional<Material<double>> material;
+  thread_local std::vector<Extremum> found;
+  if (material != p.material) {
+    material.reset();
+    found = find_extrema(p.material, upper_end(p));
+    material = p.material;
+  }
+  return found;
 }
 
 }  // namespace
 
-std::vector<LimitPoint> limit_points(const Parameters<double>& p) { return extrema(p, 1.0, upper_end(p)); }
+std::vector<LimitPoint> limit_points(const Parameters<double>& p) {
+  std::vector<LimitPoint> points;
+  for (const auto& [R, maximum] : extrema(p)) {
+    if (R > 1) points.push_back({R, static_pressure(p, R).value, maximum});
+  }
+  return points;
+}
 
 std::vector<Equilibrium> equilibria(const Parameters<double>& p, double pressure) {
   std::vector<double> ends{smallest_stretch};
-  for (const LimitPoint& point : extrema(p, smallest_stretch, upper_end(p))) ends.push_back(point.stretch);
+  for (const Extremum& extremum : extrema(p)) ends.push_back(extremum.stretch);
   ends.push_back(upper_end(p));
 
   // Difference of pressures, squeezed into [-1, 1]: tensions near locking outgrow every number, and the root finder

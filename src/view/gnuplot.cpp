@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 
@@ -26,6 +27,12 @@ std::string quoted(const std::string& text) {
     out += c;
   }
   return out + "\"";
+}
+
+double round_step(double wanted) {
+  const double power = std::pow(10, std::floor(std::log10(wanted)));
+  if (wanted < 2 * power) return power;
+  return wanted < 5 * power ? 2 * power : 5 * power;
 }
 
 namespace {
@@ -56,15 +63,17 @@ int run_gnuplot(const fs::path& folder, std::string script, const std::string& m
 std::string gnuplot(const fs::path& folder, const std::string& name, const std::string& data, const std::string& plot) {
   const std::string frame = "set border 31 lw 0.8\nset tics nomirror\nset grid lw 0.5 lc rgb 'grey85'\n";
   const std::string script = name + ".gp";
+  std::string file;  // a single quote is doubled inside single quotes
+  for (const char c : name) file += c == '\'' ? std::string("''") : std::string(1, c);
   {
     std::ofstream stream(folder / script);
     stream << "# Made by turgor; draw again with: gnuplot " << script << "\n" << data;
     stream << "set terminal svg size 800,560 font 'Helvetica,15' background rgb 'white' rounded enhanced\n"
-           << "set output '" << name << ".svg'\n"
+           << "set output '" << file << ".svg'\n"
            << frame << plot << "unset output\nreset\n"
            << "set terminal pngcairo size 1600,1120 font 'Helvetica,15' fontscale 1.9 linewidth 2 pointscale 2 rounded "
               "enhanced\n"
-           << "set output '" << name << ".png'\n"
+           << "set output '" << file << ".png'\n"
            << frame << plot << "unset output\n";
     if (!stream.flush()) return "no pictures: cannot write " + (folder / script).string();
   }

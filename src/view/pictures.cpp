@@ -46,13 +46,10 @@ std::string picture_pressure_unit(const Case& c) {
   return c.output.pressure_unit == "Pa" ? "kPa" : c.output.pressure_unit;
 }
 
-/// 1, 2 or 5 times a power of ten, such that the low panel of a curve gets three to six tics.
+/// Such that the low panel of a curve gets three to six tics.
 double tic_step(const Curve& curve) {
   const auto [low, high] = std::ranges::minmax(curve, {}, &CurvePoint::y);
-  const double wanted = std::max(high.y - low.y, 1e-3 * std::abs(high.y) + 1e-9) / 3;
-  const double power = std::pow(10, std::floor(std::log10(wanted)));
-  if (wanted < 2 * power) return power;
-  return wanted < 5 * power ? 2 * power : 5 * power;
+  return round_step(std::max(high.y - low.y, 1e-3 * std::abs(high.y) + 1e-9) / 3);
 }
 
 std::string draw_history(const Case& c, const RunResult& result, const std::filesystem::path& folder) {

@@ -10,4 +10,8 @@ cmake --build "$work/consumer"
 "$work/consumer/consumer" "$work/prefix/share/turgor/cases/channel-30mm.toml" | tee "$work/out"
 grep -q 'events' "$work/out"
 "$work/prefix/bin/turgor" validate "$work/prefix/share/turgor/cases/channel-30mm.toml"
+if [ -x "$work/prefix/bin/turgor-sweep" ]; then
+  "$work/prefix/bin/turgor" sweep "$work/prefix/share/turgor/cases/sweep-orifice-pressure.toml" -o "$work/map.nc" -q --no-pictures
+  test -s "$work/map.nc"
+fi
 test -s "$work/prefix/share/man/man1/turgor.1"

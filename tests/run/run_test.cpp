@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
 
 #include "../support/program.hpp"
@@ -47,6 +48,30 @@ TEST(Energy, InletWorkIsPressureTimesVolume) {
     first = false;
   }
   EXPECT_NEAR(work, *result.quantity("inlet_work"), 1e-5 * work);
+}
+
+// A strong pulse leaves the balloon beyond the fold of the static pressure, which lies between the limit points at
+// R = 1.476 and 3.143; a weak one does not; and where the final pressure has one equilibrium only there is one well.
+TEST(Wells, TellWhetherABistableBalloonHasSwitched) {
+  const auto ends = [](const std::vector<std::string>& overrides) {
+    const RunResult result = run_case(paper_case(overrides, "sweep-orifice-pressure"));
+    return std::array{*result.quantity("final_stretch"), *result.quantity("final_well"), *result.quantity("switched")};
+  };
+  const auto strong = ends({});
+  EXPECT_GT(strong[0], 3.143);
+  EXPECT_EQ(strong[1], 2);
+  EXPECT_EQ(strong[2], 1);
+  const auto weak = ends({"pressure.segments[1].step=42 kPa"});
+  EXPECT_LT(weak[0], 1.476);
+  EXPECT_EQ(weak[1], 1);
+  EXPECT_EQ(weak[2], 0);
+  const auto large_from_the_start = ends({"initial.stretch=5.2"});
+  EXPECT_GT(large_from_the_start[0], 3.143);
+  EXPECT_EQ(large_from_the_start[1], 2);
+  EXPECT_EQ(large_from_the_start[2], 0);
+  const auto emptied = ends({"pressure.segments[3].step=0 Pa", "solve.t_end=20 s"});
+  EXPECT_EQ(emptied[1], 1);
+  EXPECT_EQ(emptied[2], 0);
 }
 
 // The flow rate is the rate of change of the volume, (2.1): central differences, O(h^2).

@@ -2,11 +2,14 @@
 // A case: one balloon and the question asked of it, as read from a TOML file.
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "turgor/case/node.hpp"
 #include "turgor/case/schema.hpp"
+#include "turgor/case/sweep.hpp"
 #include "turgor/oscillator/oscillator.hpp"
 
 namespace turgor {
@@ -59,10 +62,12 @@ struct Case {
   SolveSettings solve{};
   OutputSettings output{};
   std::vector<Expectation> expectations;
+  std::optional<SweepSettings> sweep;
 
-  std::filesystem::path file;  ///< where it was read from
-  std::string source;          ///< the file, verbatim
-  std::string resolved;        ///< everything resolved, as TOML; running it again gives identical results
+  std::filesystem::path file;        ///< where it was read from
+  std::string source;                ///< the file, verbatim
+  std::string resolved;              ///< everything resolved, as TOML; running it again gives identical results
+  std::shared_ptr<const Node> tree;  ///< the file with its overrides, as parsed
 };
 
 /// All keys that a case file can have.

@@ -20,7 +20,13 @@ struct Node {
     std::string text;
   };
 
-  std::variant<Table, Array, std::string, std::int64_t, double, bool, Other> value;
+  /// A number in an SI unit, as programs put it in place of a text like "30 cm".
+  struct Quantity {
+    double value;
+    std::string unit;
+  };
+
+  std::variant<Table, Array, std::string, std::int64_t, double, bool, Other, Quantity> value;
   std::string file;  ///< "--set" for an override
   int line = 0;
 
@@ -46,6 +52,14 @@ struct Node::Entry {
 /// @param file  name for messages
 /// @throws InvalidInput with file and line when it is not valid TOML
 [[nodiscard]] Node parse_toml(std::string_view text, const std::string& file);
+
+/// The place of a value: "inlet.orifice_radius", "pressure.segments[0].to"; a key that has dots itself is quoted, as in
+/// TOML: sweep.axes."inlet.orifice_radius".n. Nothing when there is none.
+[[nodiscard]] const Node* find_value(const Node& root, std::string_view path);
+
+/// The same, where missing keys are added as empty tables.
+/// @throws InvalidInput (without a key) when the path has no key, or runs through something that is not a table or list
+[[nodiscard]] Node& place_value(Node& root, std::string_view path);
 
 /// Replaces or adds one value: "inlet.orifice_radius=2 cm", "pressure.segments[0].to=30 kPa". What is right of the
 /// equals sign is read as TOML where it is valid TOML (numbers, true, arrays, quoted strings) and as a bare string

@@ -29,6 +29,10 @@ struct QuantityName {
       {"energy_error", "1",
        "energy balance: kinetic + elastic - work + dissipated - initial, over the largest of them"},
       {"peak_reynolds", "1", "greatest Reynolds number in the orifice"},
+      {"final_well", "1",
+       "well of the final stretch at the final pressure: 1 + number of unstable equilibria below it (1 small, 2 "
+       "large)"},
+      {"switched", "1", "1 when the initial stretch lies in another well of the final pressure than the final stretch"},
   };
   return names;
 }

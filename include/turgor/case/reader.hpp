@@ -15,7 +15,8 @@ namespace turgor {
 class Reader {
  public:
   /// @param root  the parsed case, with its overrides; both must outlive the reader
-  Reader(const Schema& schema, const Node& root);
+  /// @param keeps_resolved  whether resolved() is wanted
+  Reader(const Schema& schema, const Node& root, bool keeps_resolved = true);
 
   // Each takes a path that the schema declares and returns its value in SI units, or its default. Nothing is returned
   // when the key is absent without a default, or wrong; in the latter case, and when a required key is absent, an issue
@@ -25,6 +26,16 @@ class Reader {
   [[nodiscard]] std::optional<bool> boolean(const std::string& path);
   [[nodiscard]] std::optional<std::string> text(const std::string& path);
   [[nodiscard]] std::optional<std::vector<double>> list(const std::string& path);
+  [[nodiscard]] std::optional<std::vector<std::string>> texts(const std::string& path);
+
+  /// The number at a path that need not be declared, read as if it stood at another key: unit and range are that key's.
+  [[nodiscard]] std::optional<double> number_like(const std::string& path, const Key& like);
+  /// The declared key at a path for the materials in play: that of the case, and those that a sweep puts in its place.
+  [[nodiscard]] const Key* find_key(std::string_view path) const;
+
+  [[nodiscard]] const Node& root() const { return root_; }
+  /// The declared key that is spelled most like this one; empty when none is near.
+  [[nodiscard]] std::string nearest(std::string_view path) const { return schema_.nearest(path, materials_.front()); }
 
   /// The value as written, or nothing; also says whether a key was given at all.
   [[nodiscard]] const Node* node(std::string_view path) const;
@@ -40,8 +51,12 @@ class Reader {
   /// Complains about every key that no part of the program knows.
   void check_unknown();
 
-  /// Replaces or adds a value of the resolved case, as TOML text; plain keys are recorded as they are read.
-  void resolve(const std::string& path, const std::string& toml);
+  /// Replaces or adds a value of the resolved case; plain keys are recorded as they are read.
+  /// @param toml  returns the value as TOML text; called only when the resolved case is wanted
+  template <class Toml>
+  void resolve(const std::string& path, const Toml& toml) {
+    if (keeps_resolved_) record(path, toml());
+  }
   /// The resolved case: every key that was read, defaults filled, in SI units, numbers that read back exactly.
   [[nodiscard]] std::string resolved() const;
 
@@ -51,10 +66,12 @@ class Reader {
   void check_unknown(const Node& node, const std::string& path);
   void check_entry(const Node& child, const std::string& path);
   void complain_unknown(const std::string& path);
-  [[nodiscard]] std::string material() const;
+  void record(const std::string& path, std::string toml);
 
   const Schema& schema_;
   const Node& root_;
+  bool keeps_resolved_;
+  std::vector<std::string> materials_;  ///< in play; that of the case first
   std::vector<Issue> issues_;
   std::vector<std::pair<std::string, std::string>> resolved_;
 };
@@ -63,5 +80,6 @@ class Reader {
 [[nodiscard]] std::string toml_string(std::string_view text);
 /// A value in an SI unit as TOML writes it: "0.3 m", or the bare number when the unit is 1.
 [[nodiscard]] std::string toml_quantity(double value, const std::string& unit);
+[[nodiscard]] std::string toml_list(const std::vector<double>& values, const std::string& unit);
 
 }  // namespace turgor

@@ -5,11 +5,24 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace turgor {
 
-enum class ValueKind { quantity, number, integer, boolean, text, quantity_list, number_list, table, table_list };
+enum class ValueKind {
+  quantity,
+  number,
+  integer,
+  boolean,
+  text,
+  quantity_list,
+  number_list,
+  text_list,
+  table,
+  table_list,
+  free_table,  ///< a table whose keys are not declared; the part that reads it checks them
+};
 
 /// Allowed values of a number, in the SI unit of its key.
 struct Range {
@@ -43,7 +56,7 @@ struct Key {
 /// All keys, in the order in which they are declared.
 class Schema {
  public:
-  void add(Key key) { keys_.push_back(std::move(key)); }
+  void add(Key key);
   /// A table's own line in the documentation.
   void describe(std::string table, std::string meaning) { tables_.push_back({std::move(table), std::move(meaning)}); }
 
@@ -62,7 +75,12 @@ class Schema {
   [[nodiscard]] std::string nearest(std::string_view path, std::string_view material) const;
 
  private:
+  struct Hash : std::hash<std::string_view> {
+    using is_transparent = void;
+  };
+
   std::vector<Key> keys_;
+  std::unordered_map<std::string, std::vector<std::size_t>, Hash, std::equal_to<>> by_path_;
   std::vector<Table> tables_;
 };
 

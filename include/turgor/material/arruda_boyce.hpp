@@ -16,6 +16,8 @@ struct ArrudaBoyce {
   T mu;        ///< [Pa]
   T lambda_m;  ///< locking stretch of a chain [1]
 
+  friend bool operator==(const ArrudaBoyce&, const ArrudaBoyce&) = default;
+
   /// W and its derivatives at stretch lambda > 0.
   template <class S>
   [[nodiscard]] Jet<S> energy(const S& lambda) const {

@@ -15,6 +15,8 @@ struct Fung {
   T mu;  ///< shear modulus at small strain [Pa]
   T b;   ///< stiffening exponent [1]
 
+  friend bool operator==(const Fung&, const Fung&) = default;
+
   /// W and its derivatives at stretch lambda > 0.
   template <class S>
   [[nodiscard]] Jet<S> energy(const S& lambda) const {

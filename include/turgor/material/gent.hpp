@@ -13,6 +13,8 @@ struct Gent {
   T mu;  ///< shear modulus [Pa]
   T jm;  ///< largest I1 - 3 [1]
 
+  friend bool operator==(const Gent&, const Gent&) = default;
+
   /// W and its derivatives at stretch lambda > 0; infinite from stretch_limit() on, and in compression where I1 - 3 >=
   /// jm.
   template <class S>

@@ -16,6 +16,8 @@ struct GentGent {
   T jm;  ///< largest I1 - 3 [1]
   T c2;  ///< [Pa]
 
+  friend bool operator==(const GentGent&, const GentGent&) = default;
+
   /// W and its derivatives at stretch lambda > 0; infinite from stretch_limit() on, and in compression where I1 - 3 >=
   /// jm.
   template <class S>

@@ -13,6 +13,8 @@ struct MooneyRivlin {
   T s1;  ///< [Pa]
   T s2;  ///< [Pa]
 
+  friend bool operator==(const MooneyRivlin&, const MooneyRivlin&) = default;
+
   /// W and its derivatives at stretch lambda > 0.
   template <class S>
   [[nodiscard]] Jet<S> energy(const S& lambda) const {

@@ -12,6 +12,8 @@ template <class T>
 struct NeoHookean {
   T mu;  ///< shear modulus [Pa]
 
+  friend bool operator==(const NeoHookean&, const NeoHookean&) = default;
+
   /// W and its derivatives at stretch lambda > 0.
   template <class S>
   [[nodiscard]] Jet<S> energy(const S& lambda) const {

@@ -16,6 +16,8 @@ struct Ogden {
   std::vector<T> mu;     ///< [Pa], N values
   std::vector<T> alpha;  ///< [1], N values, none zero
 
+  friend bool operator==(const Ogden&, const Ogden&) = default;
+
   /// W and its derivatives at stretch lambda > 0.
   template <class S>
   [[nodiscard]] Jet<S> energy(const S& lambda) const {

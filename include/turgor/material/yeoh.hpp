@@ -13,6 +13,8 @@ struct Yeoh {
   T c2;  ///< [Pa]
   T c3;  ///< [Pa]
 
+  friend bool operator==(const Yeoh&, const Yeoh&) = default;
+
   /// W and its derivatives at stretch lambda > 0.
   template <class S>
   [[nodiscard]] Jet<S> energy(const S& lambda) const {

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,14 @@ using Progress = std::function<bool(double)>;
 
 /// Runs a case. Trouble during integration is reported in the trajectory's outcome, not thrown.
 [[nodiscard]] RunResult run_case(const Case& c, const Progress& progress = {});
+
+/// The motion alone: the oscillator, the trajectory and the choice of the model; nothing else of the result is there.
+[[nodiscard]] RunResult run_motion(const Case& c, const Progress& progress = {});
+
+/// Quantities of interest of a motion or a whole run, in SI units; nothing where the run does not have one.
+/// @param asked  indices in quantity_names(); only what these need is computed
+[[nodiscard]] std::vector<std::optional<double>> evaluate_quantities(const RunResult& result,
+                                                                     std::span<const std::size_t> asked);
 
 /// The oscillator of a case with a given model, on natural scales: the case's own scales only shape reports, so that
 /// they cannot change what the integrator does.

@@ -1,0 +1,25 @@
+#pragma once
+// Arguments that several commands share.
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace turgor::cli {
+
+struct CaseArguments {
+  std::string file;
+  std::vector<std::string> overrides;
+  bool json = false;
+};
+
+inline void add_case(CLI::App& command, CaseArguments& arguments) {
+  command.add_option("case", arguments.file, "case file (TOML)")->required();
+  command
+      .add_option("--set", arguments.overrides, "override a key: --set 'inlet.orifice_radius=2 cm'; may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("KEY=VALUE");
+  command.add_flag("--json", arguments.json, "print one JSON document and nothing else");
+}
+
+}  // namespace turgor::cli
