@@ -28,6 +28,7 @@ class Summarizer {
   /// A member begins in lane l.
   void begin(int l, const Member& member, MemberSummary& summary) {
     summaries_[static_cast<std::size_t>(l)] = &summary;
+    summary.initial_stretch = member.stretch;
     const Parameters<T>& p = member.oscillator.parameters();
     Tally<T> tally{};
     tally.least_stretch = tally.greatest_stretch = member.stretch;

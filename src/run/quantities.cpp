@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <numeric>
 #include <ranges>
 
 #include "parts.hpp"
@@ -15,10 +16,10 @@ namespace turgor {
 namespace {
 
 /// First time in [from, to] at which the stretch crosses a level, going the way it is asked to; dimensionless.
-std::optional<double> first_crossing(const Trajectory<double>& trajectory, double level, bool upwards, double from,
-                                     double to) {
+std::optional<double> first_crossing(std::span<const TrajectoryStep<double>> steps, double level, bool upwards,
+                                     double from, double to) {
   const double s = upwards ? 1 : -1;
-  for (const auto& step : trajectory.steps) {
+  for (const auto& step : steps) {
     if (step.start + step.duration <= from) continue;
     if (step.start >= to) break;
     const double before = s * (step.stretch_at(0) - level);
@@ -36,12 +37,12 @@ std::optional<double> first_crossing(const Trajectory<double>& trajectory, doubl
 }
 
 /// Time between 10 % and 90 % of the way from one stretch to another.
-std::optional<double> ten_to_ninety(const Trajectory<double>& trajectory, double first, double last, double from,
-                                    double to) {
+std::optional<double> ten_to_ninety(std::span<const TrajectoryStep<double>> steps, double first, double last,
+                                    double from, double to) {
   const double way = last - first;
   if (!(std::abs(way) > 1e-12)) return std::nullopt;
-  const auto begin = first_crossing(trajectory, first + 0.1 * way, way > 0, from, to);
-  const auto end = first_crossing(trajectory, first + 0.9 * way, way > 0, from, to);
+  const auto begin = first_crossing(steps, first + 0.1 * way, way > 0, from, to);
+  const auto end = first_crossing(steps, first + 0.9 * way, way > 0, from, to);
   if (!begin || !end) return std::nullopt;
   return *end - *begin;
 }
@@ -49,20 +50,9 @@ std::optional<double> ten_to_ninety(const Trajectory<double>& trajectory, double
 /// Evaluates one quantity at a time, and what several of them need only once.
 class Evaluator {
  public:
-  explicit Evaluator(const RunResult& result)
-      : result_(result), trajectory_(*result.trajectory), clock_(result.oscillator->scales().time) {
-    start_ = trajectory_.steps.empty() ? 0 : trajectory_.steps.front().start;
-    end_ = trajectory_.last.time;
-    initial_ = trajectory_.at(start_).stretch;
-    peak_ = trajectory_.last.stretch;
-    peak_time_ = end_;
-    for (const auto& step : trajectory_.steps | std::views::reverse) {
-      if (step.stretch_at(0) >= peak_) {  // the earliest of equals
-        peak_ = step.stretch_at(0);
-        peak_time_ = step.start;
-      }
-    }
-  }
+  Evaluator(const Oscillator<double>& oscillator, const MemberSummary& summary,
+            std::span<const TrajectoryStep<double>> steps)
+      : oscillator_(oscillator), summary_(summary), steps_(steps), clock_(oscillator.scales().time) {}
 
   /// @param index  in quantity_names()
   std::optional<double> operator()(std::size_t index) { return (this->*evaluators.at(index))(); }
@@ -71,51 +61,39 @@ class Evaluator {
   using Value = std::optional<double>;
 
   // NOLINTBEGIN(readability-make-member-function-const): one type for all; some keep what others need again
-  Value peak_stretch() { return peak_; }
-  Value peak_time() { return peak_time_ * clock_; }
-  Value rise_time() { return seconds(ten_to_ninety(trajectory_, initial_, peak_, start_, peak_time_)); }
-  Value fall_time() { return seconds(ten_to_ninety(trajectory_, peak_, trajectory_.last.stretch, peak_time_, end_)); }
-  Value final_stretch() { return trajectory_.last.stretch; }
-  Value final_rate() { return trajectory_.last.rate / clock_; }
-  Value end_time() { return end_ * clock_; }
-  Value events() { return static_cast<double>(trajectory_.events.size()); }
-  Value first_event_time() {
-    return trajectory_.events.empty() ? std::nullopt : Value(trajectory_.events.front().time * clock_);
+  Value peak_stretch() { return summary_.greatest_stretch; }
+  Value peak_time() { return summary_.peak_time * clock_; }
+  Value rise_time() {
+    return seconds(ten_to_ninety(steps_, summary_.initial_stretch, summary_.greatest_stretch, 0, summary_.peak_time));
   }
-  Value inlet_work() { return energies().at(end_).inlet_work; }
-  Value dissipated() { return energies().at(end_).dissipated; }
-  Value energy_error() { return energies().closure_error(); }
+  Value fall_time() {
+    const Point<double>& last = summary_.last;
+    return seconds(ten_to_ninety(steps_, summary_.greatest_stretch, last.stretch, summary_.peak_time, last.time));
+  }
+  Value final_stretch() { return summary_.last.stretch; }
+  Value final_rate() { return summary_.last.rate / clock_; }
+  Value end_time() { return summary_.last.time * clock_; }
+  Value events() { return static_cast<double>(summary_.events); }
+  Value first_event_time() { return summary_.events == 0 ? std::nullopt : Value(summary_.first_event_time * clock_); }
+  Value inlet_work() { return summary_.inlet_work * oscillator_.scales().energy(); }
+  Value dissipated() { return summary_.dissipated * oscillator_.scales().energy(); }
+  Value energy_error() { return summary_.energy_error; }
   Value peak_reynolds() {
-    const Parameters<double>& p = result_.oscillator->parameters();
-    const auto flow = [&](double time) {
-      return std::abs(physical_state(*result_.oscillator, trajectory_, time).flow_rate);
-    };
-    double greatest_flow = flow(end_);
-    for (const auto& step : trajectory_.steps) {
-      for (const double theta : {0.0, 0.25, 0.5, 0.75}) {
-        greatest_flow = std::max(greatest_flow, flow(step.start + theta * step.duration));
-      }
-    }
-    const double speed = greatest_flow / (std::numbers::pi * p.orifice_radius * p.orifice_radius);
+    const Parameters<double>& p = oscillator_.parameters();
+    const double speed = summary_.greatest_flow * oscillator_.scales().length / clock_;
     return p.fluid_density * speed * 2 * p.orifice_radius / p.fluid_viscosity;
   }
-  Value final_well() { return well_of(trajectory_.last.stretch); }
-  Value switched() { return well_of(initial_) == well_of(trajectory_.last.stretch) ? 0 : 1; }
+  Value final_well() { return well_of(summary_.last.stretch); }
+  Value switched() { return well_of(summary_.initial_stretch) == well_of(summary_.last.stretch) ? 0 : 1; }
   // NOLINTEND(readability-make-member-function-const)
 
   [[nodiscard]] Value seconds(const Value& time) const { return time ? Value(*time * clock_) : std::nullopt; }
 
-  const EnergyLedger& energies() {
-    if (result_.energies) return *result_.energies;
-    if (!own_energies_) own_energies_.emplace(*result_.oscillator, trajectory_);
-    return *own_energies_;
-  }
-
   /// The well of a stretch at the final pressure, counted from 1: unstable equilibria are the walls between wells.
   double well_of(double stretch) {
     if (!states_) {
-      const Oscillator<double>& oscillator = *result_.oscillator;
-      states_ = equilibria(oscillator.parameters(), oscillator.pressure()(end_) * oscillator.scales().pressure);
+      const double pressure = oscillator_.pressure()(summary_.last.time) * oscillator_.scales().pressure;
+      states_ = equilibria(oscillator_.parameters(), pressure);
     }
     return 1.0 + static_cast<double>(std::ranges::count_if(
                      *states_, [&](const Equilibrium& e) { return !e.stable && e.stretch < stretch; }));
@@ -128,17 +106,82 @@ class Evaluator {
       &Evaluator::first_event_time, &Evaluator::inlet_work, &Evaluator::dissipated, &Evaluator::energy_error,
       &Evaluator::peak_reynolds,    &Evaluator::final_well, &Evaluator::switched};
 
-  const RunResult& result_;
-  const Trajectory<double>& trajectory_;
-  double clock_, start_, end_, initial_, peak_, peak_time_;
-  std::optional<EnergyLedger> own_energies_;
+  const Oscillator<double>& oscillator_;
+  const MemberSummary& summary_;
+  std::span<const TrajectoryStep<double>> steps_;
+  double clock_;
   std::optional<std::vector<Equilibrium>> states_;
 };
 
+bool asks_for(std::span<const std::size_t> asked, std::initializer_list<std::string_view> names) {
+  return std::ranges::any_of(
+      asked, [&](std::size_t index) { return std::ranges::find(names, quantity_names()[index].name) != names.end(); });
+}
+
+double greatest_flow(const RunResult& result) {
+  const Parameters<double>& p = result.oscillator->parameters();
+  double greatest = 0;
+  const auto include = [&](double time) {
+    const PhysicalState state = physical_state(*result.oscillator, *result.trajectory, time);
+    greatest = std::max(greatest, std::abs(state.flow_rate));
+  };
+  for (const auto& step : result.trajectory->steps) {
+    for (const double theta : {0.0, 0.25, 0.5, 0.75}) include(step.start + theta * step.duration);
+  }
+  include(result.trajectory->last.time);
+  const Scales<double>& scales = result.oscillator->scales();
+  return greatest / (std::numbers::pi * p.orifice_radius * p.orifice_radius * scales.length / scales.time);
+}
+
 }  // namespace
 
-std::vector<std::optional<double>> evaluate_quantities(const RunResult& result, std::span<const std::size_t> asked) {
-  Evaluator evaluate(result);
+SummaryOptions needed_for(std::span<const std::size_t> asked) {
+  SummaryOptions options;
+  options.energies = asks_for(asked, {"inlet_work", "dissipated", "energy_error"});
+  options.flow = asks_for(asked, {"peak_reynolds"});
+  options.steps = asks_for(asked, {"rise_time", "fall_time"});
+  return options;
+}
+
+MemberSummary summary_of(const RunResult& result, const SummaryOptions& options) {
+  const Trajectory<double>& trajectory = *result.trajectory;
+  MemberSummary summary;
+  summary.outcome = trajectory.outcome;
+  summary.message = trajectory.message;
+  summary.last = trajectory.last;
+  summary.initial_stretch = trajectory.steps.empty() ? trajectory.last.stretch : trajectory.steps.front().stretch_at(0);
+  summary.greatest_stretch = summary.least_stretch = summary.last.stretch;
+  summary.peak_time = summary.last.time;
+  for (const auto& step : trajectory.steps | std::views::reverse) {  // extrema lie at ends of steps
+    summary.least_stretch = std::min(summary.least_stretch, step.stretch_at(0));
+    if (step.stretch_at(0) < summary.greatest_stretch) continue;
+    summary.greatest_stretch = step.stretch_at(0);
+    summary.peak_time = step.start;  // the earliest of equals
+  }
+  summary.events = static_cast<long>(trajectory.events.size());
+  if (summary.events > 0) summary.first_event_time = trajectory.events.front().time;
+  const auto kept = std::min(options.events, trajectory.events.size());
+  summary.first_events.assign(trajectory.events.begin(), trajectory.events.begin() + static_cast<std::ptrdiff_t>(kept));
+  if (options.energies) {
+    const std::unique_ptr<EnergyLedger> own =
+        result.energies ? nullptr : std::make_unique<EnergyLedger>(*result.oscillator, trajectory);
+    const EnergyLedger& ledger = own ? *own : *result.energies;
+    const Energies last = ledger.at(trajectory.last.time);
+    const double unit = result.oscillator->scales().energy();
+    summary.inlet_work = last.inlet_work / unit;
+    summary.dissipated = last.dissipated / unit;
+    summary.energy_error = ledger.closure_error();
+  }
+  if (options.flow) summary.greatest_flow = greatest_flow(result);
+  summary.statistics = trajectory.statistics;
+  return summary;
+}
+
+std::vector<std::optional<double>> evaluate_quantities(const Oscillator<double>& oscillator,
+                                                       const MemberSummary& summary,
+                                                       std::span<const TrajectoryStep<double>> steps,
+                                                       std::span<const std::size_t> asked) {
+  Evaluator evaluate(oscillator, summary, steps);
   std::vector<std::optional<double>> values;
   values.reserve(asked.size());
   for (const std::size_t index : asked) values.push_back(evaluate(index));
@@ -146,11 +189,14 @@ std::vector<std::optional<double>> evaluate_quantities(const RunResult& result, 
 }
 
 std::vector<Quantity> quantities_of_interest(const RunResult& result) {
-  Evaluator evaluate(result);
+  std::vector<std::size_t> all(quantity_names().size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const MemberSummary summary = summary_of(result, needed_for(all));
+  const auto values = evaluate_quantities(*result.oscillator, summary, result.trajectory->steps, all);
   std::vector<Quantity> quantities;
-  for (std::size_t i = 0; i < quantity_names().size(); ++i) {
+  for (const std::size_t i : all) {
     const QuantityName& name = quantity_names()[i];
-    quantities.push_back({std::string(name.name), std::string(name.unit), evaluate(i)});
+    quantities.push_back({std::string(name.name), std::string(name.unit), values[i]});
   }
   return quantities;
 }

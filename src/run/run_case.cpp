@@ -46,18 +46,12 @@ StretchRange stretch_range(const Trajectory<double>& trajectory) {
 
 namespace {
 
-Trajectory<double> integrate(const Case& c, const Oscillator<double>& oscillator, const Progress& progress) {
-  const double clock = oscillator.scales().time;
-  SimulationOptions<double> options;
-  options.rtol = c.solve.rtol;
-  options.atol = c.solve.atol;
-  options.max_events = c.solve.max_events;
-  options.rest_tol = c.solve.rest_tol;
-  options.max_stretch = c.max_stretch;
-  options.max_steps = c.solve.max_steps;
+Trajectory<double> integrate(const Case& c, const Member& member, const Progress& progress) {
+  SimulationOptions<double> options = member.options;
+  const double clock = member.oscillator.scales().time;
   if (progress) options.keep_going = [&](const double& time) { return progress(time * clock); };
   const auto& method = c.solve.method == Method::quadrature ? simulate_by_quadrature<double> : simulate<double>;
-  return method(oscillator, 0.0, c.stretch, c.stretch_rate * clock, c.solve.t_end / clock, options);
+  return method(member.oscillator, 0.0, member.stretch, member.rate, member.end_time, options);
 }
 
 /// Every simpler model's dropped terms over the range; for an explicitly chosen model only its own.
@@ -86,17 +80,32 @@ std::vector<ExpectationResult> check(const Case& c, const RunResult& result) {
 
 }  // namespace
 
+Member make_member(const Case& c, Model model) {
+  Member member{make_oscillator(c, model), c.stretch, 0, 0, {}};
+  const double clock = member.oscillator.scales().time;
+  member.rate = c.stretch_rate * clock;
+  member.end_time = c.solve.t_end / clock;
+  member.options.rtol = c.solve.rtol;
+  member.options.atol = c.solve.atol;
+  member.options.max_events = c.solve.max_events;
+  member.options.rest_tol = c.solve.rest_tol;
+  member.options.max_stretch = c.max_stretch;
+  member.options.max_steps = c.solve.max_steps;
+  return member;
+}
+
 RunResult run_motion(const Case& c, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   RunResult result;
-  result.oscillator = std::make_unique<Oscillator<double>>(make_oscillator(c, c.model.value_or(Model::full)));
-  result.trajectory = std::make_unique<Trajectory<double>>(integrate(c, *result.oscillator, progress));
-  result.choice = compare_models(c, result.oscillator->dimensionless_groups(), stretch_range(*result.trajectory));
-  if (result.choice.model != result.oscillator->model() && is_complete(result.trajectory->outcome)) {
+  Member member = make_member(c, c.model.value_or(Model::full));
+  result.trajectory = std::make_unique<Trajectory<double>>(integrate(c, member, progress));
+  result.choice = compare_models(c, member.oscillator.dimensionless_groups(), stretch_range(*result.trajectory));
+  if (result.choice.model != member.oscillator.model() && is_complete(result.trajectory->outcome)) {
     // The full model has shown which stretches the run visits; the simpler one is good enough there.
-    *result.oscillator = make_oscillator(c, result.choice.model);
-    *result.trajectory = integrate(c, *result.oscillator, progress);
+    member = make_member(c, result.choice.model);
+    *result.trajectory = integrate(c, member, progress);
   }
+  result.oscillator = std::make_unique<Oscillator<double>>(std::move(member.oscillator));
   result.choice.model = result.oscillator->model();
   result.integration_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;

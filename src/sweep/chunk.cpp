@@ -19,12 +19,6 @@ std::vector<std::string> keys_of(const SweepSettings& settings) {
   return keys;
 }
 
-/// What is wrong with a member, without its numbers: the same text for all members that fail alike.
-std::string reason_of(const InvalidInput& error) {
-  const Issue& first = error.issues().front();
-  return first.key.empty() ? first.problem : first.key + ": " + first.problem;
-}
-
 /// 1 + the index of a message in a list, which grows as needed; 0 for none.
 double number_of(const std::string& message, std::vector<std::string>& messages) {
   if (message.empty()) return 0;
@@ -100,8 +94,8 @@ ChunkResult ChunkRunner::run(std::uint64_t chunk) {
   const std::vector<MemberResult> found = run_members(cases, asked_);
   for (std::size_t k = 0; k < found.size(); ++k) {
     double* row = result.rows.data() + members[k] * result.width;
-    row[0] = static_cast<double>(found[k].outcome);
-    row[1] = static_cast<double>(found[k].model);
+    row[0] = found[k].outcome ? static_cast<double>(*found[k].outcome) : invalid_member;
+    row[1] = found[k].outcome ? static_cast<double>(found[k].model) : -1;
     row[2] = number_of(found[k].message, result.messages);
     std::ranges::copy(found[k].values, row + ChunkResult::leading_columns);
     double* times = row + ChunkResult::leading_columns + asked_.quantities.size();

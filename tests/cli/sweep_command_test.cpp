@@ -100,10 +100,12 @@ TEST(Sweep, WritesOneFile) {
     EXPECT_EQ(entry.path().string().find(".part"), std::string::npos);
 }
 
+// A run takes its steps one balloon at a time, a sweep several balloons at once: the two agree within the tolerance, here
+// a tight one. Times at which R is flat are ill-conditioned, and the Reynolds number is sampled at points of the steps.
 TEST(Sweep, MembersAreWhatRunGives) {
   const Folder folder;
   test::write(folder / "case.toml", balloon + grid);
-  (void)swept(folder, "");
+  (void)swept(folder, "--set solve.rtol=1e-11 --set solve.atol=1e-11");
   const auto radius = variable(folder / "o.nc", "inlet_orifice_radius");
   const auto pressure = variable(folder / "o.nc", "pressure_segments_0_to");
   for (const std::size_t member : {0U, 17U, 500U, 777U, 1051U, 1195U}) {
@@ -113,7 +115,7 @@ TEST(Sweep, MembersAreWhatRunGives) {
       return key + "=" + json(value).dump() + " " + unit;
     };
     const auto run = turgor(folder, {"run", "case.toml", "-o", "run", "--force", "--no-pictures", "--json", "--set",
-                                     set("inlet.orifice_radius", radius[r], "m"), "--set",
+                                     "solve.rtol=1e-11", "--set", "solve.atol=1e-11", "--set", set("inlet.orifice_radius", radius[r], "m"), "--set",
                                      set("pressure.segments[0].to", pressure[p], "Pa"), "--set",
                                      std::string("model.name=") + (member % 2 == 0 ? "orifice" : "full")});
     const auto document = json::parse(run.out);
@@ -129,7 +131,9 @@ TEST(Sweep, MembersAreWhatRunGives) {
       if (value.is_null()) {
         EXPECT_TRUE(std::isnan(stored)) << name;
       } else {
-        EXPECT_EQ(stored, value.get<double>()) << name << " of member " << member;
+        const double expected = value.get<double>();
+        const double share = name.ends_with("_time") ? 1e-4 : 2e-6;
+        EXPECT_NEAR(stored, expected, share * std::max(1.0, std::abs(expected))) << name << " of member " << member;
       }
     }
   }

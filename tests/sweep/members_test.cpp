@@ -131,11 +131,12 @@ TEST(Chunk, AnInvalidMemberStopsNoOther) {
   }
   const RunResult run =
       run_case(read_case(shipped("orifice-10mm"), {"inlet.orifice_radius=3 cm", "solve.t_end=3 s", "solve.rtol=1e-6"}));
-  EXPECT_EQ(chunk.row(2)[3], run.quantity("final_stretch"));
+  // A run steps one balloon at a time, a sweep several at once: they agree within some rtol.
+  EXPECT_NEAR(chunk.row(2)[3], *run.quantity("final_stretch"), 1e-5);
   const double clock = run.oscillator->scales().time;
   ASSERT_GE(run.trajectory->events.size(), 2U);
-  EXPECT_EQ(chunk.row(2)[6], run.trajectory->events[1].time * clock);
-  EXPECT_EQ(chunk.row(2)[8], run.trajectory->events[1].stretch);
+  EXPECT_NEAR(chunk.row(2)[6], run.trajectory->events[1].time * clock, 1e-3);
+  EXPECT_NEAR(chunk.row(2)[8], run.trajectory->events[1].stretch, 1e-5);
 }
 
 TEST(Chunk, SurvivesItsBytes) {

@@ -29,6 +29,7 @@ struct SummaryOptions {
 struct MemberSummary {
   Outcome outcome = Outcome::reached_end;
   std::string message;
+  double initial_stretch = 0;
   Point<double> last{};
   double least_stretch = 0;
   double greatest_stretch = 0;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "turgor/case/case.hpp"
+#include "turgor/ensemble/ensemble.hpp"
 #include "turgor/integrate/simulate.hpp"
 #include "turgor/oscillator/selection.hpp"
 #include "turgor/run/energy.hpp"
@@ -71,10 +72,24 @@ using Progress = std::function<bool(double)>;
 /// The motion alone: the oscillator, the trajectory and the choice of the model; nothing else of the result is there.
 [[nodiscard]] RunResult run_motion(const Case& c, const Progress& progress = {});
 
-/// Quantities of interest of a motion or a whole run, in SI units; nothing where the run does not have one.
-/// @param asked  indices in quantity_names(); only what these need is computed
-[[nodiscard]] std::vector<std::optional<double>> evaluate_quantities(const RunResult& result,
+/// What a summary has to hold so that these quantities can be had.
+/// @param asked  indices in quantity_names()
+[[nodiscard]] SummaryOptions needed_for(std::span<const std::size_t> asked);
+
+/// A motion or a whole run, summed up; its steps stay in the trajectory.
+[[nodiscard]] MemberSummary summary_of(const RunResult& result, const SummaryOptions& options);
+
+/// Quantities of interest in SI units; nothing where the run does not have one.
+/// @param summary  with what needed_for(asked) says
+/// @param steps    of the trajectory, if needed_for(asked) says so
+/// @param asked    indices in quantity_names(); only what these need is computed
+[[nodiscard]] std::vector<std::optional<double>> evaluate_quantities(const Oscillator<double>& oscillator,
+                                                                     const MemberSummary& summary,
+                                                                     std::span<const TrajectoryStep<double>> steps,
                                                                      std::span<const std::size_t> asked);
+
+/// The question a case asks of its oscillator.
+[[nodiscard]] Member make_member(const Case& c, Model model);
 
 /// The oscillator of a case with a given model, on natural scales: the case's own scales only shape reports, so that
 /// they cannot change what the integrator does.

@@ -2,14 +2,15 @@
 // Many members of a sweep at once: what is asked of each, and what comes back.
 
 #include <cstdint>
-#include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "turgor/base/errors.hpp"
 #include "turgor/case/case.hpp"
-#include "turgor/integrate/trajectory.hpp"
+#include "turgor/ensemble/ensemble.hpp"
 
 namespace turgor {
 
@@ -21,12 +22,15 @@ struct MemberQuestions {
 
 /// What became of one member.
 struct MemberResult {
-  Outcome outcome;
-  std::string message;  ///< why it is not complete, without numbers of this member; empty when it is
-  Model model;
+  std::optional<Outcome> outcome;  ///< nothing when it could not start
+  std::string message;             ///< why it is not complete, without numbers of this member; empty when it is
+  Model model{};
   std::vector<double> values;               ///< of the asked quantities; NaN where the run does not have one
   std::vector<RegimeEvent<double>> events;  ///< the first ones; times in s
 };
+
+/// What is wrong with a member, without its numbers: the same text for all members that fail alike.
+[[nodiscard]] std::string reason_of(const InvalidInput& error);
 
 /// Runs cases on the calling thread. A result depends on its own case only, never on its neighbours, up to the order of
 /// the span, which a caller keeps the same for the same bits.
