@@ -100,8 +100,9 @@ TEST(Sweep, WritesOneFile) {
     EXPECT_EQ(entry.path().string().find(".part"), std::string::npos);
 }
 
-// A run takes its steps one balloon at a time, a sweep several balloons at once: the two agree within the tolerance, here
-// a tight one. Times at which R is flat are ill-conditioned, and the Reynolds number is sampled at points of the steps.
+// A run takes its steps one balloon at a time, a sweep several balloons at once: the two agree within the tolerance,
+// here a tight one. Times at which R is flat are ill-conditioned, and the Reynolds number is sampled at points of the
+// steps.
 TEST(Sweep, MembersAreWhatRunGives) {
   const Folder folder;
   test::write(folder / "case.toml", balloon + grid);
@@ -114,10 +115,11 @@ TEST(Sweep, MembersAreWhatRunGives) {
     const auto set = [](const std::string& key, double value, const std::string& unit) {
       return key + "=" + json(value).dump() + " " + unit;
     };
-    const auto run = turgor(folder, {"run", "case.toml", "-o", "run", "--force", "--no-pictures", "--json", "--set",
-                                     "solve.rtol=1e-11", "--set", "solve.atol=1e-11", "--set", set("inlet.orifice_radius", radius[r], "m"), "--set",
-                                     set("pressure.segments[0].to", pressure[p], "Pa"), "--set",
-                                     std::string("model.name=") + (member % 2 == 0 ? "orifice" : "full")});
+    const auto run = turgor(
+        folder, {"run", "case.toml", "-o", "run", "--force", "--no-pictures", "--json", "--set", "solve.rtol=1e-11",
+                 "--set", "solve.atol=1e-11", "--set", set("inlet.orifice_radius", radius[r], "m"), "--set",
+                 set("pressure.segments[0].to", pressure[p], "Pa"), "--set",
+                 std::string("model.name=") + (member % 2 == 0 ? "orifice" : "full")});
     const auto document = json::parse(run.out);
     const double outcome = variable(folder / "o.nc", "outcome")[member];
     if (document.at("status") == "bad-input") {

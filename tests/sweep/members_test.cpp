@@ -112,7 +112,8 @@ TEST(CaseTemplate, SaysWhatDoesNotGoTogether) {
 }
 
 Case with_sweep(const std::string& table) {
-  return read_case(shipped("orifice-10mm"), {"sweep=" + table, "solve.t_end=3 s", "solve.rtol=1e-6"});
+  return read_case(shipped("orifice-10mm"),
+                   {"sweep=" + table, "solve.t_end=3 s", "solve.rtol=1e-11", "solve.atol=1e-11"});
 }
 
 TEST(Chunk, AnInvalidMemberStopsNoOther) {
@@ -129,8 +130,8 @@ TEST(Chunk, AnInvalidMemberStopsNoOther) {
     EXPECT_EQ(chunk.row(i)[2], 0);
     EXPECT_EQ(chunk.row(i)[4], 3.0);
   }
-  const RunResult run =
-      run_case(read_case(shipped("orifice-10mm"), {"inlet.orifice_radius=3 cm", "solve.t_end=3 s", "solve.rtol=1e-6"}));
+  const RunResult run = run_case(read_case(shipped("orifice-10mm"), {"inlet.orifice_radius=3 cm", "solve.t_end=3 s",
+                                                                     "solve.rtol=1e-11", "solve.atol=1e-11"}));
   // A run steps one balloon at a time, a sweep several at once: they agree within some rtol.
   EXPECT_NEAR(chunk.row(2)[3], *run.quantity("final_stretch"), 1e-5);
   const double clock = run.oscillator->scales().time;
