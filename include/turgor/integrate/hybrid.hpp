@@ -191,7 +191,7 @@ class HybridIntegrator {
 
  private:
   /// DOP853's estimate is close to its error, Rodas5P's far above it: this makes both keep a tolerance equally well.
-  static constexpr T explicit_caution = T(3);
+  static constexpr T explicit_caution = T(10);
   /// In a first step from rest the solution is even in time, and the estimates miss half of its terms.
   static constexpr T first_step_caution = T(30);
   static constexpr T epsilon = std::numeric_limits<T>::epsilon();
