@@ -82,6 +82,7 @@ class HybridIntegrator {
     lane(tolerances_.rtol, l) = tolerances.rtol;
     lane(tolerances_.atol, l) = tolerances.atol;
     lane(running_, l) = T(1);
+    lane(caution_, l) = lane(usual_caution_, l) = explicit_caution(tolerances.rtol);
     notes_[static_cast<std::size_t>(l)] = {};
     restart(l, -1);
   }
@@ -176,7 +177,7 @@ class HybridIntegrator {
     const V shrunk = h * select(error_ <= V(std::numeric_limits<T>::max()), min(factor, V(T(0.9))), V(T(0.1)));
     size_ = select(plain, grown, select(bad, shrunk, size_));
     growth_limit_ = select(bad, V(1), select(good, V(5), growth_limit_));
-    caution_ = select(good, V(explicit_caution), caution_);
+    caution_ = select(good, usual_caution_, caution_);
     statistics_.steps += std::popcount(bits(good));
     statistics_.rejected += std::popcount(bits(bad));
     if (any(plain)) {
@@ -191,7 +192,8 @@ class HybridIntegrator {
 
  private:
   /// DOP853's estimate is close to its error, Rodas5P's far above it: this makes both keep a tolerance equally well.
-  static constexpr T explicit_caution = T(10);
+  /// Tolerances not far above rounding leave less room for it.
+  [[nodiscard]] static T explicit_caution(const T& rtol) { return std::clamp(rtol / (10'000 * epsilon), T(1), T(10)); }
   /// In a first step from rest the solution is even in time, and the estimates miss half of its terms.
   static constexpr T first_step_caution = T(30);
   static constexpr T epsilon = std::numeric_limits<T>::epsilon();
@@ -245,7 +247,7 @@ class HybridIntegrator {
       if ((fresh_ >> l & 1U) == 0 || std::exchange(notes(l).keeps_size, false)) continue;
       lane(growth_limit_, l) = T(10);
       notes(l).steps = 0;
-      if (notes(l).kind >= 0) lane(caution_, l) = explicit_caution * first_step_caution;
+      if (notes(l).kind >= 0) lane(caution_, l) = lane(usual_caution_, l) * first_step_caution;
       if (known_first_step(l) > T(0)) {
         lane(size_, l) = known_first_step(l);
         continue;
@@ -475,9 +477,10 @@ class HybridIntegrator {
   V time_ = V(0);
   V target_ = V(0);
   V running_ = V(0);
-  V size_ = V(0);                    ///< proposed step
-  V caution_ = V(explicit_caution);  ///< what the explicit pair's error estimate is multiplied by
-  V growth_limit_ = V(1);            ///< by how much the next proposal may exceed the step
+  V size_ = V(0);           ///< proposed step
+  V caution_ = V(1);        ///< what the explicit pair's error estimate is multiplied by
+  V usual_caution_ = V(1);  ///< after first steps
+  V growth_limit_ = V(1);   ///< by how much the next proposal may exceed the step
   State state_;
   State rate_;
   Tolerances<V> tolerances_{V(1), V(1)};
