@@ -173,7 +173,6 @@ MemberSummary summary_of(const RunResult& result, const SummaryOptions& options)
     summary.energy_error = ledger.closure_error();
   }
   if (options.flow) summary.greatest_flow = greatest_flow(result);
-  summary.statistics = trajectory.statistics;
   return summary;
 }
 

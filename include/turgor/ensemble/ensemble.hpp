@@ -21,7 +21,7 @@ struct Member {
 struct SummaryOptions {
   bool energies = false;   ///< work, dissipation and the error of their balance
   bool flow = false;       ///< greatest flow
-  bool steps = false;      ///< keep R(T) of every step of a member until it ends, for on_steps
+  bool steps = false;      ///< keep R(T) of every step: a hundred bytes each
   std::size_t events = 0;  ///< keep that many first events
 };
 
@@ -42,7 +42,6 @@ struct MemberSummary {
   double greatest_flow = 0;  ///< greatest |dR/dT| (2 - eps)/(eps (1 - eps)) of (2.1), with SummaryOptions::flow
   std::vector<RegimeEvent<double>> first_events;
   std::vector<TrajectoryStep<double>> steps;  ///< only R of them
-  IntegratorStatistics statistics;
 };
 
 /// Which instructions to use; results of different ones agree within the tolerance, those of the same one to the bit.
