@@ -51,8 +51,10 @@ class Summarizer {
   };
   [[nodiscard]] Parked park(int l) const {
     Parked parked{summaries_[static_cast<std::size_t>(l)], {}};
+    // NOLINTBEGIN(cppcoreguidelines-pro-type-reinterpret-cast): both are nothing but so many numbers
     const auto* all = reinterpret_cast<const V*>(&tally_);
     auto* one = reinterpret_cast<T*>(&parked.tally);
+    // NOLINTEND(cppcoreguidelines-pro-type-reinterpret-cast)
     for (std::size_t i = 0; i < sizeof(tally_) / sizeof(V); ++i) one[i] = lane(all[i], l);
     return parked;
   }
@@ -75,7 +77,7 @@ class Summarizer {
     if (options_.energies) add_energies(lanes, which, start, h, dense);
     if (options_.steps) keep_steps(lanes, bits(which), start, h, dense);
   }
-  void hold(const Lanes&, int, const T&) {}
+  void hold(const Lanes& /*lanes*/, int /*lane*/, const T& /*duration*/) {}
   void event(const Lanes& lanes, int l, Regime before, Regime after) {
     MemberSummary& summary = *summaries_[static_cast<std::size_t>(l)];
     const Point<T> at = lanes.point(l);

@@ -20,23 +20,24 @@ class Recorder {
  public:
   using Lanes = OscillatorLanes<T, Recorder>;
 
-  void steps(const Lanes& lanes, bool, const T& start, const T& h, const DenseState<typename Lanes::State>& dense) {
+  void steps(const Lanes& lanes, bool /*always*/, const T& start, const T& h,
+             const DenseState<typename Lanes::State>& dense) {
     TrajectoryStep<T>& step = trajectory_.steps.emplace_back(start, h, lanes.balloon(0).regime);
     for (std::size_t i = 0; i < dense.size(); ++i) {
       step.stretch[i] = dense[i][0];
       step.rate[i] = dense[i][1];
     }
   }
-  void hold(const Lanes& lanes, int, const T& duration) {
+  void hold(const Lanes& lanes, int /*lane*/, const T& duration) {
     const Point<T> at = lanes.point(0);
     trajectory_.steps.push_back({at.time, duration, Regime::rest, {at.stretch}, {}});
     ++held_;
   }
-  void event(const Lanes& lanes, int, Regime before, Regime after) {
+  void event(const Lanes& lanes, int /*lane*/, Regime before, Regime after) {
     const Point<T> at = lanes.point(0);
     trajectory_.events.push_back({at.time, at.stretch, before, after});
   }
-  void finished(Lanes& lanes, int) {
+  void finished(Lanes& lanes, int /*lane*/) {
     trajectory_.last = lanes.point(0);
     trajectory_.outcome = lanes.balloon(0).outcome;
     trajectory_.message = lanes.balloon(0).message;

@@ -353,7 +353,8 @@ class HybridIntegrator {
     auto& sizes = note.sizes[static_cast<std::size_t>(note.kind)];
     T& size = lane(size_, l);
     sizes[note.steps] = std::min(size, 2 * h);
-    if (++note.steps < remembered && sizes[note.steps] > T(0)) size = std::min(size, sizes[note.steps]);
+    ++note.steps;
+    if (note.steps < remembered && sizes[note.steps] > T(0)) size = std::min(size, sizes[note.steps]);
   }
 
   /// Explicit steps that stability limits, or implicit ones that accuracy limits, say that the other method is due.

@@ -13,8 +13,10 @@ namespace turgor {
 template <class V, class All, class One>
 void set_lane_numbers(All& all, int l, const One& one) {
   static_assert(sizeof(All) / sizeof(V) == sizeof(One) / sizeof(ScalarOf<V>));
+  // NOLINTBEGIN(cppcoreguidelines-pro-type-reinterpret-cast): both are nothing but so many numbers
   auto* numbers = reinterpret_cast<V*>(&all);
   const auto* given = reinterpret_cast<const ScalarOf<V>*>(&one);
+  // NOLINTEND(cppcoreguidelines-pro-type-reinterpret-cast)
   for (std::size_t i = 0; i < sizeof(All) / sizeof(V); ++i) lane(numbers[i], l) = given[i];
 }
 
@@ -126,7 +128,7 @@ class OscillatorLanes {
     return {0, burst_, V(-1)};
   }
   /// Rounding of the rate over a step, relative to the terms whose difference is the acceleration at rest.
-  [[nodiscard]] T noise(const Integrator&, int l, std::size_t i, const T& h) const {
+  [[nodiscard]] T noise(const Integrator& /*lanes*/, int l, std::size_t i, const T& h) const {
     if (i != 0) return T(0);
     const BalloonInLane<T>& b = balloon(l);
     const Coefficients<T> c = b.oscillator->coefficients(b.regime, integrator_.component(l, 0));
@@ -134,8 +136,8 @@ class OscillatorLanes {
     return 64 * std::numeric_limits<T>::epsilon() * h * (std::abs(c.elastic) + std::abs(c.area * p)) / c.mass;
   }
 
-  void on_event(Integrator&, int l, std::size_t i) {
-    BalloonInLane<T>& b = own(l);
+  void on_event(Integrator& /*lanes*/, int l, std::size_t i) {
+    const BalloonInLane<T>& b = own(l);
     if (i == 1) {
       fail(l, Outcome::burst, "the wall reached material.max_stretch and bursts");
       return;
@@ -144,16 +146,17 @@ class OscillatorLanes {
     decide_at_rest(l);
     if (running(l) && b.regime != before) enter(l);
   }
-  void on_target(Integrator&, int l) { go_on(l); }
-  void on_stall(Integrator&, int l) {
+  void on_target(Integrator& /*lanes*/, int l) { go_on(l); }
+  void on_stall(Integrator& /*lanes*/, int l) {
     fail(l, Outcome::step_failed, "the step size fell below what the clock resolves");
   }
-  void on_method_due(Integrator&, int l) {
+  void on_method_due(Integrator& /*lanes*/, int l) {
     leaving_ |= 1U << l;
     integrator_.retire(l);
   }
   template <class Condition>
-  void on_steps(Integrator&, const Condition& which, const V& start, const V& h, const DenseState<State>& dense) {
+  void on_steps(Integrator& /*lanes*/, const Condition& which, const V& start, const V& h,
+                const DenseState<State>& dense) {
     steps_ = select(which, steps_ + V(1), steps_);
     const V& R = stretch();
     observer_.steps(*this, which, start, h, dense);

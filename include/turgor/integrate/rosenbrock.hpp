@@ -135,9 +135,12 @@ template <class Flow, class V = typename Flow::Value, int N = Flow::size>
     constexpr std::size_t stage = decltype(i)::value;
     end = y + combination<stage>([](std::size_t j) { return Method::a[stage][j]; }, k);
     const State sum = combination<stage>([](std::size_t j) { return Method::c[stage][j]; }, k);
-    State right = flow.rate(t + V(Method::time[stage]) * h, end) + per_step * sum;
-    if constexpr (Method::d[stage] != 0) right += (V(Method::d[stage]) * h) * at.time_derivative;
-    k[stage] = solver.solve(right);
+    const State right = flow.rate(t + V(Method::time[stage]) * h, end) + per_step * sum;
+    if constexpr (Method::d[stage] != 0) {
+      k[stage] = solver.solve(right + (V(Method::d[stage]) * h) * at.time_derivative);
+    } else {
+      k[stage] = solver.solve(right);
+    }
   });
 
   RosenbrockStep<V, N> step;

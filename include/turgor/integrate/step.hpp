@@ -28,6 +28,7 @@ template <class T>
 }
 [[nodiscard]] constexpr bool any(bool condition) { return condition; }
 
+// NOLINTBEGIN(cppcoreguidelines-pro-type-reinterpret-cast): a batch is nothing but its lanes
 /// One lane of a value.
 template <class V>
 [[nodiscard]] ScalarOf<V>& lane(V& value, int index) {
@@ -37,6 +38,7 @@ template <class V>
 [[nodiscard]] const ScalarOf<V>& lane(const V& value, int index) {
   return reinterpret_cast<const ScalarOf<V>*>(&value)[index];
 }
+// NOLINTEND(cppcoreguidelines-pro-type-reinterpret-cast)
 /// A function without a SIMD form that treats all lanes alike.
 template <class V, class Function>
 [[nodiscard]] V lane_by_lane(V value, const Function& function) {
@@ -63,7 +65,7 @@ struct Linearization {
 
 /// Calls action(std::integral_constant<std::size_t, i>) for i = first ... last - 1, unrolled.
 template <std::size_t first, std::size_t last, class Action>
-constexpr void unrolled(Action&& action) {
+constexpr void unrolled(const Action& action) {
   [&]<std::size_t... i>(std::index_sequence<i...>) {
     (action(std::integral_constant<std::size_t, first + i>()), ...);
   }(std::make_index_sequence<last - first>());
@@ -72,7 +74,7 @@ constexpr void unrolled(Action&& action) {
 /// sum over j < terms of weight(j) k[j], unrolled, vanishing weights left out. The first weight must not vanish.
 /// @param weight  a lambda without captures, so that it can be evaluated while compiling
 template <std::size_t terms, class Weight, class State, std::size_t count>
-[[nodiscard]] State combination(Weight, const std::array<State, count>& k) {
+[[nodiscard]] State combination(Weight /*weight*/, const std::array<State, count>& k) {
   using V = typename State::Scalar;
   static_assert(terms > 0 && terms <= count && Weight()(0) != 0);
   State sum = V(Weight()(0)) * k[0];
