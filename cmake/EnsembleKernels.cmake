@@ -25,6 +25,7 @@ function(turgor_ensemble_kernel set lanes)
     DEPENDS ${name} $<TARGET_OBJECTS:${name}> COMMAND_EXPAND_LISTS VERBATIM)
   target_sources(turgor_core PRIVATE ${local})
   set_source_files_properties(${local} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
+  set_property(GLOBAL APPEND PROPERTY TURGOR_ISOLATED_KERNELS ${local})
 endfunction()
 
 turgor_ensemble_kernel(scalar 1)

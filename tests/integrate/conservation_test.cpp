@@ -3,11 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
-#include <cstdlib>
-#include <iostream>
-#include <random>
 
 #include "../support/balloons.hpp"
+#include "../support/seed.hpp"
 #include "turgor/integrate/simulate.hpp"
 #include "turgor/statics/statics.hpp"
 
@@ -151,11 +149,6 @@ TEST(FirstIntegral, GivesTheRateOfTheFullModelWhileDeflating) {
   }
 }
 
-std::uint64_t random_seed() {
-  if (const char* given = std::getenv("TURGOR_TEST_SEED")) return std::strtoull(given, nullptr, 10);
-  return std::random_device{}();
-}
-
 /// A balloon within wide but sensible limits, with a random material of the catalogue's kinds.
 Parameters<double> random_balloon(std::mt19937_64& random) {
   const auto between = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
@@ -183,8 +176,7 @@ Parameters<double> random_balloon(std::mt19937_64& random) {
 // Under constant pressure M_s v^2/2 + Phi/2 of (2.22) stays constant while inflating and only falls while deflating.
 // The slack is the integration's own error at rtol 1e-9, a hundred tolerances of the energies involved.
 TEST(Energy, NeverGrowsWhileDeflatingForAThousandRandomBalloons) {
-  const std::uint64_t seed = random_seed();
-  std::cout << "TURGOR_TEST_SEED=" << seed << "\n";
+  const std::uint64_t seed = test::random_seed();
   std::mt19937_64 random(seed);
   long checked = 0;
   for (int i = 0; i < 1000; ++i) {

@@ -73,7 +73,14 @@ class HybridIntegrator {
     std::array<std::array<T, remembered>, 2> sizes{};
   };
 
-  HybridIntegrator(System& system, StepMethod method) : system_(system), method_(method) {}
+  /// @param components  of the state; to be given where the system's size is Eigen::Dynamic
+  HybridIntegrator(System& system, StepMethod method, Eigen::Index components = N)
+      : system_(system),
+        first_method_(method),
+        method_(method),
+        state_(zero(components)),
+        rate_(zero(components)),
+        end_rate_(zero(components)) {}
 
   /// Starts a lane at time t and aims it at a target time; its state is set through component().
   void load(int l, const T& t, const T& target, const Tolerances<T>& tolerances) {
@@ -82,7 +89,9 @@ class HybridIntegrator {
     lane(tolerances_.rtol, l) = tolerances.rtol;
     lane(tolerances_.atol, l) = tolerances.atol;
     lane(running_, l) = T(1);
+    // nothing is left of what was in the lane before
     lane(caution_, l) = lane(usual_caution_, l) = explicit_caution(tolerances.rtol);
+    if constexpr (width == 1) method_ = first_method_;
     notes_[static_cast<std::size_t>(l)] = {};
     restart(l, -1);
   }
@@ -198,6 +207,8 @@ class HybridIntegrator {
   static constexpr T first_step_caution = T(30);
   static constexpr T epsilon = std::numeric_limits<T>::epsilon();
 
+  [[nodiscard]] static State zero(Eigen::Index components) { return State::Constant(components, V(0)); }
+
   template <class Action>
   static void for_lanes(const Condition& which, const Action& action) {
     if (!any(which)) return;
@@ -225,7 +236,7 @@ class HybridIntegrator {
       ++statistics_.rate_evaluations;
       if (known) return;
       const V zero(0);
-      V d0(0);
+      V d0(1);  // a state of zero is one within its tolerance of it
       V d1(0);
       for (Eigen::Index i = 0; i < state_.size(); ++i) {
         const V unit = V(1) / tolerances_.scale(state_, state_, i);
@@ -363,7 +374,8 @@ class HybridIntegrator {
     system_.with_flow([&](const auto& flow) { radius = flow.stiffness(time_, state_); });
     // The explicit pair is stable up to about 6 on the negative axis, but long before that it follows a solution on a
     // slow manifold in stumbles; the other method's first steps onto the manifold are short.
-    const Condition due = which && (method_ == StepMethod::explicit_pair ? h * radius > V(2) : h * radius < V(T(0.5)));
+    const Condition unfit = method_ == StepMethod::explicit_pair ? h * radius > V(2) : h * radius < V(T(0.5));
+    const Condition due = which && unfit && running_ > V(0);  // the step may have been a lane's last
     for_lanes(due, [&](int l) { leave_method(l); });
   }
   /// A single lane changes its method; one of many is handed to others that use the other method.
@@ -474,6 +486,7 @@ class HybridIntegrator {
   static constexpr T shortest_rise = T(1) / 16;  ///< of a step, from one event to the next
 
   System& system_;
+  StepMethod first_method_;
   StepMethod method_;
   V time_ = V(0);
   V target_ = V(0);
