@@ -15,7 +15,8 @@ namespace turgor::bench {
 ///  does not bring to their end, left out of its errors and time,
 ///  over_cvode: how many times longer CVODE takes,
 ///  simd_over_scalar, simd_avx2_over_scalar: members per second against one lane,
-///  threads_2_over_1: by the clock on the wall}
+///  threads_2_over_1: by the clock on the wall, which other programs on the machine slow down,
+///  threads_2_processor_time: of both together over that of one thread, which they do not}
 [[nodiscard]] nlohmann::ordered_json ensemble_comparison();
 
 }  // namespace turgor::bench

@@ -47,9 +47,10 @@ void draw_work_precision(const nlohmann::ordered_json& entries, const std::files
        {"free (2.22) r_ch=0.03 L_ch=0.5 R0=1.35 P=41314", "set free, 3 cm channel"}}};
   std::string data;
   std::string commands =
-      "set multiplot layout 2,2 margins 0.10,0.98,0.10,0.94 spacing 0.10,0.14\n"
+      "set multiplot layout 2,2 margins 0.10,0.97,0.11,0.95 spacing 0.12,0.18\n"
       "set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\nset xrange [*:*] reverse\n"
-      "set ylabel 'time [s]' offset 1.5\nset xlabel 'greatest error of R' offset 0,0.5\nset key off\n";
+      "set xtics font ',11'\nset ytics font ',11'\nset mxtics 1\nset ylabel 'time [s]' font ',11' offset 2.2\n"
+      "set xlabel 'greatest error of R' offset 0,0.8\nset key off\n";
   for (std::size_t panel = 0; panel < panels.size(); ++panel) {
     std::string plot;
     for (std::size_t m = 0; m < methods.size(); ++m) {
@@ -65,7 +66,7 @@ void draw_work_precision(const nlohmann::ordered_json& entries, const std::files
               quoted(methods[m].title);
     }
     commands += "set title " + quoted(panels[panel].title) + " offset 0,-0.6\n";
-    if (panel == 0) commands += "set key bottom right samplen 2 opaque\n";
+    if (panel + 1 == panels.size()) commands += "set key top left reverse Left samplen 2 spacing 0.8 font ',12'\n";
     commands += plot + "\nset key off\n";
   }
   draw(folder, "work-precision", data, commands + "unset multiplot\n");
@@ -86,8 +87,8 @@ void draw_valve(const ValveComparison& valve, const std::filesystem::path& folde
       "0 ? "
       "$2 : 1/0) with points pt 7 ps 0.08 lc rgb '#d55e00' title 'y_2 at impacts'\n";
   const std::string commands =
-      "set multiplot layout 1,2 margins 0.07,0.985,0.12,0.92 spacing 0.07,0\n"
-      "set xrange [0:10]\nset yrange [-6:10]\nset xlabel 'q'\nset key top left samplen 0.5\n"
+      "set multiplot layout 1,2 margins 0.07,0.97,0.12,0.92 spacing 0.08,0\n"
+      "set xrange [0:10]\nset xtics 2\nset yrange [-6:10]\nset xlabel 'q'\nset key top left samplen 0.5\n"
       "set title 'this program' offset 0,-0.6\nplot $ours" +
       panel + "set title 'Boost.Odeint' offset 0,-0.6\nset key off\nplot $odeint" + panel + "unset multiplot\n";
   draw(folder, "valve", block("ours", rows(valve.ours)) + block("odeint", rows(valve.odeint)), commands);

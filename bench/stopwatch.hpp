@@ -6,7 +6,7 @@
 
 namespace turgor::bench {
 
-/// Processor time of some work on one thread [s]: other programs on the machine do not count.
+/// Processor time of some work, of all its threads [s]: other programs on the machine do not count.
 template <class Work>
 [[nodiscard]] double processor_seconds(const Work& work) {
   const std::clock_t start = std::clock();
