@@ -1,5 +1,5 @@
-// Timings of the program as its users meet it: start-up, the demo case from file to tables, and the integration alone.
-// turgor-bench PROGRAM CASES OUT.json
+// Timings of the program as its users meet it: start-up, the demo case from file to tables, the integration alone,
+// ensembles, sweeps; and the same by other integrators. turgor-bench PROGRAM CASES OUT.json
 
 #include <algorithm>
 #include <chrono>
@@ -14,7 +14,11 @@
 #include <string>
 #include <vector>
 
+#include "ensemble.hpp"
+#include "pictures.hpp"
+#include "sweeps.hpp"
 #include "turgor/run/run_case.hpp"
+#include "valve_comparison.hpp"
 #include "work_precision.hpp"
 
 namespace {
@@ -93,8 +97,19 @@ int main(int argc, char** argv) {
           {{"case", name}, {"rtol", std::stod(rtol)}, {"seconds", seconds}, {"steps", steps}});
     }
   }
+  const auto report = [&](const char* what, const nlohmann::ordered_json& part) {
+    document[what] = part;
+    std::cout << what << ": " << part.dump(2) << std::endl;
+  };
+  report("ensemble", turgor::bench::ensemble_comparison());
+  report("sweep", turgor::bench::sweep_timings(program, cases, scratch));
   std::filesystem::remove_all(scratch);
+  const turgor::bench::ValveComparison valve = turgor::bench::valve_comparison();
+  report("valve", valve.document);
   document["single"] = turgor::bench::work_precision();
   print_ratios(document["single"]);
   std::ofstream(argv[3]) << document.dump(2) << "\n";
+  const std::filesystem::path folder = std::filesystem::absolute(argv[3]).parent_path();
+  turgor::bench::draw_work_precision(document["single"], folder);
+  turgor::bench::draw_valve(valve, folder);
 }

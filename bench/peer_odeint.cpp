@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "odeint_fehlberg78.hpp"
 #include "odeint_rosenbrock4.hpp"
 #include "peers.hpp"
 
@@ -64,19 +65,36 @@ double first_step(const Stretch& stretch, const State& state, double tolerance) 
 
 }  // namespace
 
-std::vector<double> by_odeint_dopri5(const Problem& problem, double tolerance) {
+namespace {
+
+/// @param make  makes a stepper with dense output for a system
+template <class Make>
+std::vector<double> by_explicit(const Problem& problem, double tolerance, const Make& make) {
   using Vector = std::array<double, 2>;
   std::vector<double> values;
   walk(problem, [&](const Stretch& stretch, State& state) {
     const Flow flow(problem.oscillator, stretch.pressure, stretch.regime);
-    auto stepper = odeint::make_dense_output(tolerance, tolerance, odeint::runge_kutta_dopri5<Vector>());
     const auto system = [&](const Vector& y, Vector& rates, double t) {
       const Flow::State r = flow.rate(t, {y[0], y[1]});
       rates = {r[0], r[1]};
     };
+    auto stepper = make(Vector{}, system);
     advance(stepper, system, stretch, state, values, Vector{}, first_step(stretch, state, tolerance));
   });
   return values;
+}
+
+}  // namespace
+
+std::vector<double> by_odeint_dopri5(const Problem& problem, double tolerance) {
+  return by_explicit(problem, tolerance, [&]<class Vector>(Vector, const auto&) {
+    return odeint::make_dense_output(tolerance, tolerance, odeint::runge_kutta_dopri5<Vector>());
+  });
+}
+std::vector<double> by_odeint_fehlberg78(const Problem& problem, double tolerance) {
+  return by_explicit(problem, tolerance, [&]<class Vector, class System>(Vector, const System& system) {
+    return OdeintFehlberg78<Vector, System>(system, tolerance);
+  });
 }
 
 std::vector<double> by_odeint_rosenbrock4(const Problem& problem, double tolerance) {

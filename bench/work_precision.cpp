@@ -50,7 +50,8 @@ std::vector<Problem> problems() {
         forced ? test::up_hold_down(first.input("p_max"), first.input("t1"), first.input("t2"), first.input("t3"))
                : constant_pressure(first.input("P"));
     std::string name = std::string(forced ? "forced " : "free ") + first.text("eq") +
-                       " r_ch=" + first.inputs.at("r_ch").dump() + " R0=" + first.inputs.at("R0").dump();
+                       " r_ch=" + first.inputs.at("r_ch").dump() + " L_ch=" + first.inputs.at("L_ch").dump() +
+                       " R0=" + first.inputs.at("R0").dump();
     if (!forced) name += " P=" + std::to_string(std::lround(first.input("P")));
     Problem problem{name,
                     Oscillator<double>(model_of(first.text("eq")), p, program, test::si_scales(p)),
@@ -135,7 +136,9 @@ nlohmann::ordered_json work_precision() {
     const auto bdf = curve(by_cvode_bdf, problem);
     const auto adams = curve(by_cvode_adams, problem);
     auto odeint = curve(by_odeint_dopri5, problem);
-    for (const Sample& sample : curve(by_odeint_rosenbrock4, problem)) odeint.push_back(sample);
+    for (const Method& method : {Method(by_odeint_fehlberg78), Method(by_odeint_rosenbrock4)}) {
+      for (const Sample& sample : curve(method, problem)) odeint.push_back(sample);
+    }
     for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
       const auto ours = measure(by_turgor, problem, tolerance);
       if (!ours) continue;

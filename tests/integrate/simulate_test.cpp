@@ -248,5 +248,17 @@ TEST(Simulate, RefusesAStartThatCannotBe) {
   EXPECT_THROW((void)run(p, constant_pressure(0.0), {1.5, 0}, 1, options), InvalidInput);
 }
 
+// Deflating through a narrow orifice, the balloon is on its slow manifold at once: explicit steps at the limit of
+// stability would be hundreds; accuracy alone needs about ten.
+TEST(Simulate, KeepsTheImplicitMethodOnTheSlowManifold) {
+  const auto p = paper_balloon<double>(0.01, 0.0);
+  SimulationOptions<double> options;
+  options.rtol = options.atol = 1e-6;
+  const auto creep = run(p, constant_pressure(41313.6), {1.3, 0}, 20, options);
+  EXPECT_TRUE(creep.events.empty());
+  EXPECT_GT(creep.statistics.linearizations, 3);
+  EXPECT_LT(creep.statistics.steps, 30);
+}
+
 }  // namespace
 }  // namespace turgor
