@@ -90,7 +90,8 @@ std::optional<Sample> measure(const Method& method, const Problem& problem, doub
     times.push_back(std::chrono::duration<double>(Clock::now() - start).count());
     if (times.back() > 1) break;
   }
-  if (values.size() != problem.reference.size()) return std::nullopt;
+  const bool complete = values.size() == problem.reference.size();
+  if (!complete || !std::ranges::all_of(values, [](double value) { return std::isfinite(value); })) return std::nullopt;
   double error = 0;
   for (std::size_t i = 0; i < values.size(); ++i) error = std::max(error, std::abs(values[i] - problem.reference[i]));
   std::ranges::sort(times);
