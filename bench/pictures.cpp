@@ -50,7 +50,7 @@ void draw_work_precision(const nlohmann::ordered_json& entries, const std::files
       "set multiplot layout 2,2 margins 0.10,0.97,0.11,0.95 spacing 0.12,0.18\n"
       "set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\nset xrange [*:*] reverse\n"
       "set xtics font ',11'\nset ytics font ',11'\nset mxtics 1\nset ylabel 'time [s]' font ',11' offset 2.2\n"
-      "set xlabel 'greatest error of R' offset 0,0.8\nset key off\n";
+      "set xlabel 'greatest error of R' offset 0,0.8\nset yrange [5e-6:0.5]\nset key off\n";
   for (std::size_t panel = 0; panel < panels.size(); ++panel) {
     std::string plot;
     for (std::size_t m = 0; m < methods.size(); ++m) {
