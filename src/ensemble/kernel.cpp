@@ -1,9 +1,7 @@
 // Compiled once per instruction set, with TURGOR_KERNEL naming the function.
 
-#if TURGOR_KERNEL_LANES > 1
-#include "batch.hpp"
-#endif
-
+#include "kernel_value.hpp"
+// the above must come first
 #include <deque>
 
 #include "kernel.hpp"
@@ -13,12 +11,7 @@ namespace turgor {
 
 namespace {
 
-#if TURGOR_KERNEL_LANES > 1
-using Value = xsimd::batch<double>;
-#else
-using Value = double;
-#endif
-static_assert(Lanes<Value>::width == TURGOR_KERNEL_LANES);
+using Value = KernelValue;
 
 /// The material of all lanes: the alternative of the members', for Ogden with as many terms as the longest has.
 Material<Value> common_material(std::span<const Member* const> members) {

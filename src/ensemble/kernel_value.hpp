@@ -1,9 +1,12 @@
 #pragma once
-// SIMD batches of xsimd as the integrator's value type. To be included before the integrator.
-
-#include <xsimd/xsimd.hpp>
+// The integrator's value type in a SIMD kernel: a batch of xsimd of as many lanes as TURGOR_KERNEL_LANES says, or
+// double. To be included before the integrator, once in each kernel's source.
 
 #include "turgor/integrate/step.hpp"
+
+#if TURGOR_KERNEL_LANES > 1
+
+#include <xsimd/xsimd.hpp>
 
 namespace turgor {
 
@@ -25,4 +28,19 @@ template <class A>
 using xsimd::any;
 using xsimd::select;
 
+}  // namespace turgor
+
+#endif
+
+namespace turgor {
+namespace {
+
+#if TURGOR_KERNEL_LANES > 1
+using KernelValue = xsimd::batch<double>;
+#else
+using KernelValue = double;
+#endif
+static_assert(Lanes<KernelValue>::width == TURGOR_KERNEL_LANES);
+
+}  // namespace
 }  // namespace turgor
