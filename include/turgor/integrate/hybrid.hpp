@@ -223,8 +223,8 @@ class HybridIntegrator {
     using std::max;
     using std::min;
     if constexpr (width == 1) {
-      if (notes(0).kind >= 0 && !notes(0).keeps_size)
-        method_ = StepMethod::explicit_pair;  // from rest: nothing is stiff yet
+      const bool from_rest = notes(0).kind >= 0 && !notes(0).keeps_size;
+      if (from_rest) method_ = StepMethod::explicit_pair;  // nothing is stiff yet
     }
     V guess(0);
     V by_rate(0);
