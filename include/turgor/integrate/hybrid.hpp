@@ -101,7 +101,6 @@ class HybridIntegrator {
   [[nodiscard]] const V& time() const { return time_; }
   [[nodiscard]] T& time(int l) { return lane(time_, l); }
   [[nodiscard]] const T& time(int l) const { return lane(time_, l); }
-  [[nodiscard]] const T& target(int l) const { return lane(target_, l); }
 
   /// The lane's flow or state has changed. Restarts of a kind 0 or 1 begin with the step size that suited the last
   /// one of that kind; -1 chooses afresh.
