@@ -34,23 +34,24 @@ void check(double kappa, int count) {
 
 Harmonics uniform_harmonics(double kappa, int count) {
   check(kappa, count);
-  const double eps = cap_depth(kappa);
+  using Real = long double;  // dA_m/deps is a difference of terms 1/eps times as large
+  const Real eps = cap_depth(static_cast<Real>(kappa));
   Harmonics a{kappa, std::vector<double>(static_cast<std::size_t>(count)), {}};
   a.change.resize(a.amplitude.size());
-  LegendreNearMinusOne<double> legendre(eps);
-  double before = legendre.integral();  // (-1)^m h_m for m - 1, m, m + 1
+  LegendreNearMinusOne<Real, Real> legendre(eps);
+  Real before = legendre.integral();  // (-1)^m h_m for m - 1, m, m + 1
   legendre.advance();
-  double sign = -1;
-  for (int i = 0; i < count; ++i) {
-    const double m = i + 1;
-    const double here = legendre.integral();
-    const double value = legendre.value();
+  Real sign = -1;
+  for (std::size_t i = 0; i < a.amplitude.size(); ++i) {
+    const auto m = static_cast<Real>(i + 1);
+    const Real here = legendre.integral();
+    const Real value = legendre.value();
     legendre.advance();
-    const double after = legendre.integral();
-    const double first_moment = -((m + 1) * after + m * before);  // (-1)^m (2m+1) int x P_m over the cap
-    const auto at = static_cast<std::size_t>(i);
-    a.amplitude[at] = sign * (-(2 * m + 1) * here + 2 / eps * first_moment);
-    a.change[at] = sign * ((2 * m + 1) * (2 * (eps - 1) / eps - 1) * value - 2 / (eps * eps) * first_moment);
+    const Real after = legendre.integral();
+    const Real first_moment = -((m + 1) * after + m * before);  // (-1)^m (2m+1) int x P_m over the cap
+    a.amplitude[i] = static_cast<double>(sign * (-(2 * m + 1) * here + 2 / eps * first_moment));
+    a.change[i] =
+        static_cast<double>(sign * ((2 * m + 1) * (2 * (eps - 1) / eps - 1) * value - 2 / (eps * eps) * first_moment));
     before = here;
     sign = -sign;
   }

@@ -5,8 +5,9 @@ namespace turgor {
 
 /// p_m = (-1)^m P_m(eps - 1) for m = 0, 1, 2, ... by the recurrence of their differences, and
 /// h_m = int_{-1}^{eps-1} P_m dx.
-/// @tparam V  a number or an array of numbers
-template <class V>
+/// @tparam V      a number or an array of numbers
+/// @tparam Count  for m
+template <class V, class Count = double>
 class LegendreNearMinusOne {
  public:
   /// @param eps  x + 1, 0 to 2
@@ -31,7 +32,7 @@ class LegendreNearMinusOne {
 
  private:
   V eps_;
-  double m_ = 0;
+  Count m_ = 0;
   V value_;
   V difference_;       ///< p_{m+1} - p_m
   V last_difference_;  ///< p_m - p_{m-1}

@@ -98,9 +98,10 @@ void PotentialFlow::add_piece(Sum& sum, double from, double to) const {
   const double length = std::asinh((to - from) / unit);
   const GaussLegendre& rule = quadrature_->stretched_rule(length);
   for (std::size_t i = 0; i < rule.node.size(); ++i) {
-    const double e = std::exp(length * rule.node[i]);
-    const double way = sign * unit * (e - 1 / e) / 2;
-    sum.add(cap_angle_ - end - way, nearest + way, rule.weight[i] * length * unit * (e + 1 / e) / 2);
+    const double stretched = std::sinh(length * rule.node[i]);
+    const double way = sign * unit * stretched;
+    const double weight = rule.weight[i] * length * unit * std::sqrt(1 + stretched * stretched);
+    sum.add(cap_angle_ - end - way, nearest + way, weight);
   }
 }
 

@@ -21,12 +21,12 @@ double ellipse(double length) {
 }  // namespace
 
 RingQuadrature::RingQuadrature(double tolerance) : digits_(-std::log(tolerance)) {
-  for (const int size : {2, 4, 6, 8, 10, 12, 16, 20, 24, 28, 32, 40, 48, 56, 64, 80, 96, 112, 128}) {
+  for (const int size : {4, 6, 8, 10, 12, 16, 20, 24, 28, 32, 40, 48, 56, 64, 80, 96, 112, 128}) {
     double shortest = 1e-3;
     double longest = 100;
     for (int i = 0; i < 40; ++i) {
       const double length = std::sqrt(shortest * longest);
-      (2 * (size - 1) * std::log(ellipse(length)) >= digits_ ? shortest : longest) = length;
+      (2 * (size - 3) * std::log(ellipse(length)) >= digits_ ? shortest : longest) = length;
     }
     rules_.push_back({shortest, &gauss_legendre(size)});
   }
@@ -51,11 +51,11 @@ const GaussLegendre& RingQuadrature::stretched_rule(double length) const {
 template <class Add>
 void RingQuadrature::over_ring(double nearest_squared, double spread, const Add& add) const {
   if (!(spread > 0)) {
-    add(0.0, 1.0);  // the target lies on the axis
+    add(0.5, 1.0);  // on the axis or in the centre everything is linear in sin^2(psi/2)
     return;
   }
   const double relative = std::sqrt(nearest_squared / spread);
-  const double midpoints = digits_ / (4 * std::asinh(relative)) + 1;
+  const double midpoints = digits_ / (4 * std::asinh(relative)) + 2;  // one more for cos psi in the gradient
   if (midpoints <= most_midpoints && relative > 0.2) {
     const std::vector<double>& squares = midpoints_[static_cast<std::size_t>(midpoints)];
     const double weight = 1 / static_cast<double>(squares.size());
