@@ -2,6 +2,7 @@
 // What is kept of the trajectories in a set of lanes while they are under way.
 
 #include "turgor/ensemble/ensemble.hpp"
+#include "turgor/flow/orifice.hpp"
 #include "turgor/integrate/oscillator_lanes.hpp"
 
 namespace turgor {
@@ -125,13 +126,11 @@ class Summarizer {
   void add_flow(const Condition& which, const DenseState<State>& dense) {
     using std::abs;
     using std::max;
-    using std::sqrt;
     V greatest = tally_.greatest_flow;
     for (const T theta : {T(0), T(0.25), T(0.5), T(0.75), T(1)}) {
       const V R = at(dense, 0, V(theta));
-      const V kappa = tally_.slenderness / R;
-      const V eps = kappa * kappa / (V(1) + sqrt(V(1) - kappa * kappa));
-      greatest = max(greatest, abs(at(dense, 1, V(theta))) * (V(2) - eps) / (eps * (V(1) - eps)));
+      const V speed = channel_speed(cap_depth(tally_.slenderness / R));
+      greatest = max(greatest, abs(at(dense, 1, V(theta))) * speed);
     }
     tally_.greatest_flow = select(which, greatest, tally_.greatest_flow);
   }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "parts.hpp"
+#include "turgor/flow/orifice.hpp"
 #include "turgor/integrate/quadrature.hpp"
 
 namespace turgor {
@@ -20,11 +21,9 @@ PhysicalState physical_state(const Oscillator<double>& oscillator, const Traject
   const Scales<double>& scales = oscillator.scales();
   const double r = scales.length * point.stretch;
   const double rate = point.rate / scales.time;
-  const double kappa = p.orifice_radius / r;
-  const double eps =
-      kappa * kappa / (1 + std::sqrt(1 - kappa * kappa));  // depth of the cap in the channel over r, (2.1)
+  const double eps = cap_depth(p.orifice_radius / r);
   const double cap = std::numbers::pi * power<3>(r) * eps * eps * (3 - eps) / 3;
-  const double speed = (2 - eps) / (eps * (1 - eps)) * scales.length * rate;  // v_z of (2.1)
+  const double speed = channel_speed(eps) * scales.length * rate;  // v_z of (2.1)
   return {time * scales.time,
           point.stretch,
           rate,

@@ -4,6 +4,7 @@
 
 #include "parts.hpp"
 #include "turgor/base/text.hpp"
+#include "turgor/flow/orifice.hpp"
 #include "turgor/statics/statics.hpp"
 
 namespace turgor {
@@ -65,7 +66,7 @@ class Checks {
     if (result_.choice.model != Model::long_channel) return;
     const double slenderness = p_.channel_length / p_.orifice_radius;
     const double kappa = p_.orifice_radius / (p_.radius * range_.least);
-    const double upper = std::pow(kappa * kappa / (1 + std::sqrt(1 - kappa * kappa)), -1.5);
+    const double upper = std::pow(cap_depth(kappa), -1.5);
     if (slenderness < 1 / much_smaller || slenderness > much_smaller * upper) {
       warn("channel-window", "L_ch/r_ch = " + rounded(slenderness) +
                                  " strains 1 << L_ch/r_ch << eps^(-3/2) = " + rounded(upper) + " of (2.25)");

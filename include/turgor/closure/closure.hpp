@@ -6,6 +6,7 @@
 
 #include "turgor/base/power.hpp"
 #include "turgor/base/regime.hpp"
+#include "turgor/flow/flow_state.hpp"
 
 namespace turgor {
 
@@ -31,18 +32,6 @@ template <class T>
   if (closure == Closure::theoretical) return {9 * std::numbers::sqrt2_v<T> / (2 * pi), 12 / pi};
   return {T(223) / (32 * pi), T(75) / (4 * pi)};
 }
-
-/// What the force of the liquid on the balloon depends on; SI units.
-template <class T>
-struct FlowState {
-  T radius;          ///< r [m]
-  T radial_rate;     ///< dr/dt [m/s]
-  T radial_accel;    ///< d2r/dt2 [m/s^2]
-  T inlet_pressure;  ///< p_ext [Pa]
-  T orifice_radius;  ///< r_ch [m]
-  T channel_length;  ///< L_ch [m]
-  T fluid_density;   ///< rho_f [kg/m^3]
-};
 
 /// Generalized force of the liquid on the extensional mode [N], eq. (2.12) or (2.15); (2.11) is (2.12) in deflation.
 /// @param regime  taken from the caller, since the sign of dr/dt says nothing at the instant it is zero
