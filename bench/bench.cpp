@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "ensemble.hpp"
+#include "flow_timings.hpp"
 #include "pictures.hpp"
 #include "sweeps.hpp"
 #include "turgor/run/run_case.hpp"
@@ -101,6 +102,7 @@ int main(int argc, char** argv) {
     document[what] = part;
     std::cout << what << ": " << part.dump(2) << std::endl;
   };
+  report("flow", turgor::bench::flow_timings());
   report("ensemble", turgor::bench::ensemble_comparison());
   report("sweep", turgor::bench::sweep_timings(program, cases, scratch));
   std::filesystem::remove_all(scratch);
