@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "parts.hpp"
+#include "turgor/base/text.hpp"
 
 namespace turgor {
 
@@ -11,8 +12,9 @@ std::span<const Part> case_parts() {
   static const std::vector<Part> parts{
       {declare_balloon, read_balloon, {"balloon", "material", "fluid", "inlet"}, false, true},
       {declare_pressure, read_pressure, {"pressure"}, false, true},
+      {declare_motion, read_motion, {"motion"}, false, false},
       {declare_solve, read_solve, {"solve"}, false, true},
-      {declare_motion, read_motion, {"initial", "model", "scales"}, true, true},
+      {declare_dynamics, read_dynamics, {"initial", "model", "scales"}, true, true},
       {declare_report, read_report, {"output", "expect"}, false, false},
       {declare_sweep, read_sweep, {"sweep"}, false, false},
   };
@@ -52,6 +54,26 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
   }
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   return parse_case(text, file, overrides);
+}
+
+void require_free_motion(const Case& c) {
+  if (!c.motion) return;
+  throw InvalidInput(
+      {{"motion", "", "the case dictates the radius, so that there is no motion to compute",
+        "`turgor force` gives the force of the liquid; or replace [motion] by [pressure]", c.file.string(), 0}});
+}
+
+const PrescribedMotion<double>& dictated_motion(const Case& c) {
+  if (c.motion) return *c.motion;
+  throw InvalidInput({{"motion", "", "the case has no [motion] table, which dictates the radius",
+                       "replace [pressure], [initial] and [expect] by, for example,\n"
+                       "[motion]\n"
+                       "radius = \"" +
+                           shortest(c.parameters.radius) +
+                           " m\"\n"
+                           "velocity = [{ to = \"2 cm/s\", over = \"0.5 s\", shape = \"smooth\" }, { to = \"0 cm/s\", "
+                           "over = \"0.5 s\", shape = \"smooth\" }]",
+                       c.file.string(), 0}});
 }
 
 std::string resolved_with(const Case& c, Model model) {

@@ -16,11 +16,16 @@ void read_balloon(Reader& reader, Case& c);
 void declare_pressure(Schema& schema);  // [pressure]
 void read_pressure(Reader& reader, Case& c);
 
+void declare_motion(Schema& schema);  // [motion]
+void read_motion(Reader& reader, Case& c);
+/// Complains when the radius leaves what a balloon can have before t_end.
+void check_motion(Reader& reader, const Case& c);
+
 void declare_solve(Schema& schema);  // [solve]
 void read_solve(Reader& reader, Case& c);
 
-void declare_motion(Schema& schema);  // [initial] [model] [scales]
-void read_motion(Reader& reader, Case& c);
+void declare_dynamics(Schema& schema);  // [initial] [model] [scales]
+void read_dynamics(Reader& reader, Case& c);
 
 void declare_report(Schema& schema);  // [output] [expect]
 void read_report(Reader& reader, Case& c);

@@ -2,30 +2,25 @@
 
 #include "csv_table.hpp"
 #include "parts.hpp"
+#include "segments.hpp"
 #include "turgor/base/text.hpp"
 
 namespace turgor {
+
+namespace {
+const SegmentKeys segment_keys{.start = "pressure.start",
+                               .list = "pressure.segments",
+                               .unit = "Pa",
+                               .quantity = "pressure",
+                               .example = "36 kPa",
+                               .steps = true};
+}  // namespace
 
 void declare_pressure(Schema& schema) {
   using enum ValueKind;
   schema.describe("pressure", "gauge pressure at the inlet: one of constant, segments, harmonic, table");
   schema.add({.path = "pressure.constant", .unit = "Pa", .meaning = "the same pressure throughout"});
-  schema.add({.path = "pressure.start",
-              .unit = "Pa",
-              .meaning = "pressure at t = 0 of a list of segments; 0 Pa when not given"});
-  schema.add({.path = "pressure.segments",
-              .kind = table_list,
-              .meaning = "one after the other from t = 0; the last value holds to t_end"});
-  schema.add(
-      {.path = "pressure.segments[].hold", .unit = "s", .range = positive, .meaning = "keep the pressure this long"});
-  schema.add({.path = "pressure.segments[].step", .unit = "Pa", .meaning = "jump to this pressure"});
-  schema.add({.path = "pressure.segments[].to", .unit = "Pa", .meaning = "go to this pressure, over `over`"});
-  schema.add({.path = "pressure.segments[].over", .unit = "s", .range = positive, .meaning = "duration of `to`"});
-  schema.add({.path = "pressure.segments[].shape",
-              .kind = text,
-              .choices = {"linear", "smooth"},
-              .fallback = "linear",
-              .meaning = "of `to`: a straight line, or x^3 (10 - 15 x + 6 x^2)"});
+  declare_segments(schema, segment_keys);
   schema.add({.path = "pressure.harmonic", .kind = table, .meaning = "mean + amplitude sin(2 pi frequency t + phase)"});
   schema.add({.path = "pressure.harmonic.mean", .unit = "Pa", .fallback = "0 Pa", .meaning = "mean"});
   schema.add({.path = "pressure.harmonic.amplitude", .unit = "Pa", .required = true, .meaning = "amplitude"});
@@ -50,79 +45,6 @@ void declare_pressure(Schema& schema) {
 }
 
 namespace {
-
-/// One segment as it was read.
-struct Segment {
-  std::string kind;
-  double value;
-  double duration = 0;
-  std::string shape{};
-};
-
-std::string toml_of(const std::vector<Segment>& segments) {
-  std::string out;
-  for (const Segment& s : segments) {
-    out += (out.empty() ? "[{ " : ", { ") + s.kind + " = " + toml_quantity(s.value, s.kind == "hold" ? "s" : "Pa");
-    if (s.kind == "to") out += ", over = " + toml_quantity(s.duration, "s") + ", shape = " + toml_string(s.shape);
-    out += " }";
-  }
-  return out + "]";
-}
-
-/// One segment; nothing is appended when something is wrong with it.
-void read_segment(Reader& reader, const std::string& path, SegmentList<double>& list, std::vector<Segment>& segments) {
-  const auto given = [&](const char* key) { return reader.node(path + "." + key) != nullptr; };
-  const int kinds = (given("hold") ? 1 : 0) + (given("step") ? 1 : 0) + (given("to") ? 1 : 0);
-  const std::string forms = "write { hold = \"2 s\" }, { step = \"36 kPa\" } or { to = \"36 kPa\", over = \"2 s\" }";
-  if (kinds != 1) {
-    reader.complain(path, kinds == 0 ? "says neither hold, step nor to" : "says more than one of hold, step and to",
-                    forms);
-    return;
-  }
-  if (given("hold")) {
-    if (const auto duration = reader.number(path + ".hold")) {
-      list.hold(*duration);
-      segments.push_back({"hold", *duration});
-    }
-  } else if (given("step")) {
-    if (const auto value = reader.number(path + ".step")) {
-      list.step(*value);
-      segments.push_back({"step", *value});
-    }
-  } else {
-    if (!given("over")) reader.complain(path, "says to but not over", forms);
-    const auto value = reader.number(path + ".to");
-    const auto duration = reader.number(path + ".over");
-    const auto shape = reader.text(path + ".shape");
-    if (value && duration && shape) {
-      list.ramp(*value, *duration, *shape == "smooth" ? RampShape::smooth : RampShape::linear);
-      segments.push_back({"to", *value, *duration, *shape});
-    }
-  }
-  if (!given("to")) {
-    for (const char* extra : {"over", "shape"}) {
-      if (given(extra)) reader.complain(path + "." + extra, "goes with `to` only", forms);
-    }
-  }
-}
-
-void read_segments(Reader& reader, Case& c) {
-  const auto* items = reader.node("pressure.segments")->as<Node::Array>();
-  if (items == nullptr) return;  // said by check_unknown
-  if (items->empty()) {
-    reader.complain("pressure.segments", "is empty", "give at least one segment, or constant = \"0 Pa\"");
-    return;
-  }
-  SegmentList<double> list(reader.number("pressure.start").value_or(0));
-  std::vector<Segment> segments;
-  for (std::size_t i = 0; i < items->size(); ++i) {
-    if ((*items)[i].as<Node::Table>() != nullptr) {
-      read_segment(reader, "pressure.segments[" + std::to_string(i) + "]", list, segments);
-    }
-  }
-  c.pressure = list.build();
-  reader.resolve("pressure.segments", [&] { return toml_of(segments); });
-}
 
 void read_harmonic(Reader& reader, Case& c) {
   if (reader.node("pressure.harmonic")->as<Node::Table>() == nullptr) return;  // said by check_unknown
@@ -180,6 +102,7 @@ void read_table(Reader& reader, Case& c) {
 }  // namespace
 
 void read_pressure(Reader& reader, Case& c) {
+  if (reader.node("motion") != nullptr) return;  // it has a pressure of its own
   std::vector<std::string> given;
   for (const char* key : {"constant", "segments", "harmonic", "table"}) {
     if (reader.node(std::string("pressure.") + key) != nullptr) given.emplace_back(key);
@@ -188,7 +111,8 @@ void read_pressure(Reader& reader, Case& c) {
     std::string names;
     for (const auto& name : given) names += (names.empty() ? "" : " and ") + name;
     reader.complain("pressure", given.empty() ? "no pressure program" : "more than one pressure program: " + names,
-                    "give one of constant, segments, harmonic, table");
+                    "give one of constant, segments, harmonic, table" +
+                        std::string(given.empty() ? ", or dictate the radius with [motion]" : ""));
     return;
   }
   if (given.front() != "segments" && reader.node("pressure.start") != nullptr) {
@@ -197,7 +121,7 @@ void read_pressure(Reader& reader, Case& c) {
   if (given.front() == "constant") {
     if (const auto value = reader.number("pressure.constant")) c.pressure = constant_pressure(*value);
   } else if (given.front() == "segments") {
-    read_segments(reader, c);
+    if (const auto list = read_segments(reader, segment_keys)) c.pressure = list->build();
   } else if (given.front() == "harmonic") {
     read_harmonic(reader, c);
   } else {

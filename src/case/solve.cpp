@@ -7,11 +7,12 @@ namespace turgor {
 void declare_solve(Schema& schema) {
   using enum ValueKind;
   schema.describe("solve", "time integration");
-  schema.add({.path = "solve.t_end",
-              .unit = "s",
-              .range = positive,
-              .required = true,
-              .meaning = "end of the run, which starts at t = 0"});
+  schema.add(
+      {.path = "solve.t_end",
+       .unit = "s",
+       .range = positive,
+       .required = true,
+       .meaning = "end of the run, which starts at t = 0; with [motion] the end of its last segment when not given"});
   schema.add(
       {.path = "solve.method",
        .kind = text,
@@ -59,6 +60,16 @@ std::string_view name_of(Method method) { return method == Method::quadrature ? 
 
 namespace {
 
+double read_end(Reader& reader, const Case& c) {
+  if (reader.node("motion") == nullptr || reader.node("solve.t_end") != nullptr) {
+    return reader.number("solve.t_end").value_or(0);
+  }
+  if (!c.motion) return 0;  // something is wrong with it
+  const double end = c.motion->end();
+  reader.resolve("solve.t_end", [&] { return toml_quantity(end, "s"); });
+  return end;
+}
+
 void read_method(Reader& reader, const Case& c, SolveSettings& s) {
   s.method = reader.text("solve.method") == "quadrature" ? Method::quadrature : Method::adaptive;
   if (s.method != Method::quadrature || !(s.t_end > 0)) return;
@@ -95,7 +106,7 @@ void read_rows(Reader& reader, SolveSettings& s) {
 void read_solve(Reader& reader, Case& c) {
   c.solve = {};
   SolveSettings& s = c.solve;
-  s.t_end = reader.number("solve.t_end").value_or(0);
+  s.t_end = read_end(reader, c);
   read_method(reader, c, s);
   s.rtol = reader.number("solve.rtol").value_or(1e-9);
   s.atol = reader.number("solve.atol").value_or(s.rtol);

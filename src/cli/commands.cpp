@@ -17,6 +17,10 @@ namespace {
 
 Case read(const CaseArguments& arguments) { return read_case(arguments.file, arguments.overrides); }
 
+std::filesystem::path folder_of(const Case& c, const std::string& given, const char* ending) {
+  return given.empty() ? c.file.stem().string() + ending : given;
+}
+
 int exit_code(const RunResult& result) {
   if (result.status() == "interrupted") return exit_interrupted;
   if (result.status() == "failed") return exit_failed;
@@ -27,8 +31,8 @@ int exit_code(const RunResult& result) {
 
 int run_case_file(const RunArguments& arguments) {
   const Case c = read(arguments.input);
-  const std::filesystem::path folder =
-      arguments.directory.empty() ? c.file.stem().string() + ".run" : arguments.directory;
+  require_free_motion(c);
+  const std::filesystem::path folder = folder_of(c, arguments.directory, ".run");
   RunDirectory directory(folder, c, arguments.force);
 
   catch_interruptions();
@@ -59,8 +63,27 @@ int run_case_file(const RunArguments& arguments) {
   return exit_code(result);
 }
 
+int write_force_history(const ForceArguments& arguments) {
+  const Case c = read(arguments.input);
+  const ForceHistory history = force_history(c);
+  const std::filesystem::path folder = folder_of(c, arguments.directory, ".force");
+  RunDirectory directory(folder, c, arguments.force);
+  directory.write(c, history);
+
+  std::string picture_problem;
+  if (c.output.pictures && !arguments.no_pictures) picture_problem = draw_force(c, history, folder);
+  if (arguments.input.json) {
+    std::cout << force_json(c, history);
+  } else if (!arguments.quiet) {
+    std::cout << force_summary(c, history) << "  written to " << folder.string() << "\n";
+  }
+  if (!picture_problem.empty() && !arguments.quiet) std::cerr << "warning: " << picture_problem << "\n";
+  return exit_done;
+}
+
 int print_info(const CaseArguments& arguments) {
   const Case c = read(arguments);
+  require_free_motion(c);
   const CaseInfo info = case_info(c);
   std::cout << (arguments.json ? info_json(c, info) : info_text(c, info));
   return exit_done;

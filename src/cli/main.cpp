@@ -1,4 +1,4 @@
-// The command line: turgor run | sweep | info | validate | doc | materials.
+// The command line: turgor run | force | sweep | info | validate | doc | materials.
 
 #include <unistd.h>
 
@@ -53,6 +53,18 @@ int main(int argc, char** argv) {
   run_command->add_flag("-v,--verbose", run.verbose, "also print model comparison and integrator work")
       ->excludes(quiet);
 
+  ForceArguments force;
+  CLI::App* force_command = app.add_subcommand(
+      "force", "force of the liquid on a balloon whose radius the case dictates: its [motion] table");
+  add_case(*force_command, force.input);
+  force_command
+      ->add_option("-o,--output", force.directory,
+                   "directory for the results; default: the case file's name with .force, in the current folder")
+      ->type_name("DIR");
+  force_command->add_flag("--force", force.force, "replace earlier results in that directory");
+  force_command->add_flag("--no-pictures", force.no_pictures, "draw no pictures");
+  force_command->add_flag("-q,--quiet", force.quiet, "print nothing but errors");
+
   app.add_subcommand("sweep", "run the parameter study that a case describes, and write one NetCDF file");
 
   CaseArguments info;
@@ -80,13 +92,14 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty()) {
       std::cerr << "error: unknown command \"" << argv[1]
-                << "\"; commands are run, sweep, info, validate, doc, materials\n";
+                << "\"; commands are run, force, sweep, info, validate, doc, materials\n";
       return exit_bad_input;
     }
     return app.exit(error) == 0 ? exit_done : exit_bad_input;
   }
 
   if (run_command->parsed()) return guarded(run.input.json, [&] { return run_case_file(run); });
+  if (force_command->parsed()) return guarded(force.input.json, [&] { return write_force_history(force); });
   if (info_command->parsed()) return guarded(info.json, [&] { return print_info(info); });
   if (validate_command->parsed()) return guarded(validate.json, [&] { return validate_case_file(validate); });
   if (doc_command->parsed()) return guarded(doc.json, [&] { return print_documentation(doc); });

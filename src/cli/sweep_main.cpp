@@ -84,6 +84,7 @@ nlohmann::ordered_json summary_json(const SweepResult& result, const std::string
 
 int sweep_case_file(const SweepArguments& arguments, Ranks* ranks) {
   const Case c = read_case(arguments.input.file, arguments.input.overrides);
+  require_free_motion(c);
   const bool talks = !arguments.quiet && !arguments.input.json;
   SweepOptions options{.output = arguments.output.empty() ? c.file.stem().string() + ".nc" : arguments.output,
                        .resume = arguments.resume,

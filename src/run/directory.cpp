@@ -17,12 +17,12 @@ InvalidInput unusable(const fs::path& path, std::string problem, std::string adv
 
 void remove_earlier_run(const fs::path& folder) {
   std::error_code ignored;
-  for (const char* table :
-       {"case.toml", "resolved.toml", "run.json", "trajectory.csv", "dimensionless.csv", "events.csv"}) {
+  for (const char* table : {"case.toml", "resolved.toml", "run.json", "trajectory.csv", "dimensionless.csv",
+                            "events.csv", "force.json", "force.csv"}) {
     fs::remove(folder / table, ignored);
     fs::remove(folder / (std::string(table) + ".part"), ignored);
   }
-  for (const char* picture : {"history", "portrait"}) {
+  for (const char* picture : {"history", "portrait", "force"}) {
     for (const char* ending : {".svg", ".png", ".gp", ".log"})
       fs::remove(folder / (std::string(picture) + ending), ignored);
   }
@@ -40,7 +40,7 @@ RunDirectory::RunDirectory(fs::path path, const Case& c, bool force) : path_(std
     throw unusable(path_, "cannot be created (" + error.message() + ")", "choose a place you may write to with -o DIR");
   }
   try {
-    write_file("run.json", "{ \"status\": \"running\" }\n");
+    write_file(c.motion ? "force.json" : "run.json", "{ \"status\": \"running\" }\n");
     write_file("case.toml", c.source);
     write_file("resolved.toml", c.resolved);
   } catch (const ComputationFailed&) {
@@ -54,6 +54,11 @@ void RunDirectory::write(const Case& c, const RunResult& result) {
   write_file("dimensionless.csv", dimensionless_csv(c, result));
   write_file("events.csv", events_csv(c, result));
   write_file("run.json", run_json(c, result));
+}
+
+void RunDirectory::write(const Case& c, const ForceHistory& history) {
+  write_file("force.csv", force_csv(c));
+  write_file("force.json", force_json(c, history));
 }
 
 /// Writes beside and renames, so that a file is either the old one or the whole new one.

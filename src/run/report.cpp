@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "parts.hpp"
 #include "turgor/base/text.hpp"
 #include "turgor/base/version.hpp"
 #include "turgor/case/units.hpp"
@@ -44,12 +45,15 @@ Json statistics_json(Method method, const IntegratorStatistics& s) {
           {"event_refinements", s.event_refinements}};
 }
 
-/// A double as text in a table, in the unit that `factor` converts to; -0 becomes 0.
-void append_number(std::string& out, double value, double factor = 1) { out += shortest(value / factor + 0.0); }
-
 int number_of(Regime regime) { return static_cast<int>(regime); }
 
 }  // namespace
+
+void append_number(std::string& out, double value, double factor) { out += shortest(value / factor + 0.0); }
+
+std::string summary_line(const std::string& name, const std::string& text) {
+  return "  " + name + std::string(name.size() < 18 ? 18 - name.size() : 1, ' ') + text + "\n";
+}
 
 std::string run_json(const Case& c, const RunResult& result) {
   const Trajectory<double>& trajectory = *result.trajectory;
@@ -102,18 +106,22 @@ std::string run_json(const Case& c, const RunResult& result) {
   return document.dump(2) + "\n";
 }
 
+std::vector<double> requested_times(const SolveSettings& solve) {
+  std::vector<double> times = solve.times;
+  for (long i = 0; i < solve.samples; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(solve.samples - 1);
+    times.push_back(i + 1 == solve.samples ? solve.t_end : solve.t_end * share);
+  }
+  return times;
+}
+
 std::vector<RowTime> row_times(const Case& c, const RunResult& result) {
   const double clock = result.oscillator->scales().time;
   const Trajectory<double>& trajectory = *result.trajectory;
   const bool continues = trajectory.outcome == Outcome::reached_end || trajectory.outcome == Outcome::at_rest;
   std::vector<RowTime> rows;
-  const auto add = [&](double t) {
+  for (const double t : requested_times(c.solve)) {
     if (continues || t / clock < trajectory.last.time) rows.push_back({t / clock, t});
-  };
-  for (const double t : c.solve.times) add(t);
-  for (long i = 0; i < c.solve.samples; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(c.solve.samples - 1);
-    add(i + 1 == c.solve.samples ? c.solve.t_end : c.solve.t_end * share);
   }
   if (!continues) rows.push_back({trajectory.last.time, trajectory.last.time * clock});
   return rows;
@@ -190,9 +198,7 @@ std::string events_csv(const Case& c, const RunResult& result) {
 std::string summary(const Case& c, const RunResult& result, bool verbose) {
   const Trajectory<double>& trajectory = *result.trajectory;
   std::string out = c.title + "\n";
-  const auto line = [&](const std::string& name, const std::string& text) {
-    out += "  " + name + std::string(name.size() < 18 ? 18 - name.size() : 1, ' ') + text + "\n";
-  };
+  const auto line = [&](const std::string& name, const std::string& text) { out += summary_line(name, text); };
   line("status", result.status() + " (" + std::string(name_of(trajectory.outcome)) + ")" +
                      (trajectory.message.empty() ? "" : ": " + trajectory.message));
   line("model", std::string(name_of(result.choice.model)) + (result.choice.automatic ? " (chosen automatically)" : "") +

@@ -28,7 +28,7 @@ class Checks {
 
   std::vector<Warning> all() {
     wall();
-    orifice();
+    for (Warning& warning : strained_orifice(p_, range_)) warnings_.push_back(std::move(warning));
     channel();
     viscosity();
     statics();
@@ -46,19 +46,6 @@ class Checks {
     if (range_.least < 1 - compression) {
       warn("compression", "the balloon is compressed to R = " + rounded(range_.least, 6) +
                               ": a membrane buckles there, the model does not");
-    }
-  }
-
-  void orifice() {
-    const double largest = p_.orifice_radius / (p_.radius * range_.least);
-    const double smallest = p_.orifice_radius / (p_.radius * range_.greatest);
-    if (largest > largest_kappa * (1 + slack)) {
-      warn("orifice-large",
-           "r_ch/r reaches " + rounded(largest) + ": the closure was fitted up to " + rounded(largest_kappa));
-    }
-    if (smallest < smallest_kappa * (1 - slack)) {
-      warn("orifice-small",
-           "r_ch/r falls to " + rounded(smallest) + ": the closure was fitted down to " + rounded(smallest_kappa));
     }
   }
 
@@ -126,6 +113,21 @@ class Checks {
 };
 
 }  // namespace
+
+std::vector<Warning> strained_orifice(const Parameters<double>& p, const StretchRange& range) {
+  const double largest = p.orifice_radius / (p.radius * range.least);
+  const double smallest = p.orifice_radius / (p.radius * range.greatest);
+  std::vector<Warning> warnings;
+  if (largest > largest_kappa * (1 + slack)) {
+    warnings.push_back({"orifice-large", "r_ch/r reaches " + rounded(largest) + ": the closure was fitted up to " +
+                                             rounded(largest_kappa)});
+  }
+  if (smallest < smallest_kappa * (1 - slack)) {
+    warnings.push_back({"orifice-small", "r_ch/r falls to " + rounded(smallest) + ": the closure was fitted down to " +
+                                             rounded(smallest_kappa)});
+  }
+  return warnings;
+}
 
 std::vector<Warning> strained_assumptions(const Case& c, const RunResult& result) { return Checks(c, result).all(); }
 

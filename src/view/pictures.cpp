@@ -1,10 +1,8 @@
 #include "turgor/view/pictures.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "curves.hpp"
 #include "gnuplot.hpp"
+#include "plot.hpp"
 #include "turgor/base/text.hpp"
 #include "turgor/case/units.hpp"
 
@@ -12,44 +10,9 @@ namespace turgor {
 
 namespace {
 
-// Blue and vermilion of M. Okabe & K. Ito's palette, told apart by every kind of colour vision and in grey.
-constexpr const char* inflating_colour = "#0072B2";
-constexpr const char* deflating_colour = "#D55E00";
-
-/// Data blocks and the plot command that shows them; empty curves are left out.
-class Plot {
- public:
-  void add(const std::string& name, const Curve& curve, const std::string& style) {
-    if (curve.empty()) return;
-    data_ += "$" + name + " << EOD\n";
-    for (const CurvePoint& point : curve) {
-      if (point.gap) data_ += "\n";
-      data_ += rounded(point.x, 10) + " " + rounded(point.y, 10) + "\n";
-    }
-    data_ += "EOD\n";
-    command_ += (command_.empty() ? "plot $" : ", \\\n     $") + name + " with " + style;
-  }
-  [[nodiscard]] const std::string& data() const { return data_; }
-  [[nodiscard]] std::string command() const { return command_ + "\n"; }
-
- private:
-  std::string data_;
-  std::string command_;
-};
-
-std::string line_style(const char* colour, const std::string& title) {
-  return "lines lw 2 lc rgb '" + std::string(colour) + "' " + (title.empty() ? "notitle" : "title '" + title + "'");
-}
-
 /// Pascals make unreadable axes, so pictures use kPa unless the case chose a unit.
 std::string picture_pressure_unit(const Case& c) {
   return c.output.pressure_unit == "Pa" ? "kPa" : c.output.pressure_unit;
-}
-
-/// Such that the low panel of a curve gets three to six tics.
-double tic_step(const Curve& curve) {
-  const auto [low, high] = std::ranges::minmax(curve, {}, &CurvePoint::y);
-  return round_step(std::max(high.y - low.y, 1e-3 * std::abs(high.y) + 1e-9) / 3);
 }
 
 std::string draw_history(const Case& c, const RunResult& result, const std::filesystem::path& folder) {
@@ -59,10 +22,8 @@ std::string draw_history(const Case& c, const RunResult& result, const std::file
   const double clock = result.oscillator->scales().time / s;
 
   Plot stretch;
-  stretch.add("inflating", stretch_curve(trajectory, Regime::inflating, clock),
-              line_style(inflating_colour, "inflating"));
-  stretch.add("deflating", stretch_curve(trajectory, Regime::deflating, clock),
-              line_style(deflating_colour, "deflating"));
+  stretch.add("inflating", stretch_curve(trajectory, Regime::inflating, clock), line_style(blue, "inflating"));
+  stretch.add("deflating", stretch_curve(trajectory, Regime::deflating, clock), line_style(vermilion, "deflating"));
   stretch.add("rest", stretch_curve(trajectory, Regime::rest, clock), line_style("black", "at rest"));
   constexpr std::size_t too_many_to_tell_apart = 60;
   if (trajectory.events.size() <= too_many_to_tell_apart) {
@@ -95,10 +56,8 @@ std::string draw_portrait(const Case& c, const RunResult& result, const std::fil
   const double per_time = unit_factor(c.output.time_unit, "s") / result.oscillator->scales().time;
   const Point<double> first = trajectory.at(0);
   Plot plot;
-  plot.add("inflating", portrait_curve(trajectory, Regime::inflating, per_time),
-           line_style(inflating_colour, "inflating"));
-  plot.add("deflating", portrait_curve(trajectory, Regime::deflating, per_time),
-           line_style(deflating_colour, "deflating"));
+  plot.add("inflating", portrait_curve(trajectory, Regime::inflating, per_time), line_style(blue, "inflating"));
+  plot.add("deflating", portrait_curve(trajectory, Regime::deflating, per_time), line_style(vermilion, "deflating"));
   plot.add("start", {{first.stretch, first.rate * per_time, false}},
            "points pt 6 ps 1.6 lw 1.5 lc rgb 'black' title 'start'");
   plot.add("end", {{trajectory.last.stretch, trajectory.last.rate * per_time, false}},

@@ -64,6 +64,39 @@ TEST(Case, SegmentsHaveTheirDefaults) {
   EXPECT_EQ(c.pressure(50.0), 4e3);
 }
 
+// Without t_end a dictated motion ends with its last segment; the inlet's pressure is nulled unless it is given.
+TEST(Case, DictatedMotionHasItsDefaults) {
+  const std::filesystem::path file = std::filesystem::path(TURGOR_CASES) / "motion-orifice-30mm.toml";
+  const Case c = read_case(file);
+  ASSERT_TRUE(c.motion);
+  EXPECT_EQ(c.solve.t_end, 5);
+  EXPECT_EQ(c.pressure(1.0), 0);
+  EXPECT_EQ(c.motion->at(0).rate, 0);
+  EXPECT_EQ(c.motion->at(1.0).rate, 0.02);
+  const Case other = read_case(file, {"solve.t_end=3 s", "motion.inlet_pressure=2 kPa", "motion.start=1 mm/s"});
+  EXPECT_EQ(other.solve.t_end, 3);
+  EXPECT_EQ(other.pressure(1.0), 2000);
+  EXPECT_EQ(other.motion->at(0).rate, 0.001);
+}
+
+// Figure 3: up by 3 cm over the 3 cm orifice, 4 mm over the 2 cm one, and in proportion to the times over the others;
+// then back to where it was, to the last digit.
+TEST(Case, ShippedMotionsReturn) {
+  for (const std::string inlet : {"orifice", "channel"}) {
+    for (const auto& [size, way] : {std::pair{30, 0.03}, {20, 4e-3}, {10, 4e-3 / 8}, {5, 4e-3 / 64}}) {
+      const Case c =
+          read_case(std::filesystem::path(TURGOR_CASES) / ("motion-" + inlet + "-" + std::to_string(size) + "mm.toml"));
+      ASSERT_TRUE(c.motion);
+      EXPECT_DOUBLE_EQ(c.parameters.orifice_radius, size / 1e3);
+      EXPECT_EQ(c.parameters.channel_length, inlet == "channel" ? 0.5 : 0);
+      EXPECT_EQ(c.motion->at(0).radius, 0.3);
+      EXPECT_EQ(c.motion->at(c.solve.t_end).radius, 0.3);
+      EXPECT_NEAR(range_of(*c.motion, c.solve.t_end).greatest - 0.3, way, 1e-16);  // an ulp of 0.3
+      EXPECT_EQ(range_of(*c.motion, c.solve.t_end).least, 0.3);
+    }
+  }
+}
+
 class ShippedCase : public testing::TestWithParam<std::filesystem::path> {};
 
 // The resolved case is complete and means the same to the last bit, also from another folder.
@@ -74,6 +107,10 @@ TEST_P(ShippedCase, ResolvesToItself) {
   EXPECT_EQ(again.stretch, c.stretch);
   EXPECT_EQ(again.scales.time, c.scales.time);
   for (double t = 0; t < c.solve.t_end; t += c.solve.t_end / 37) EXPECT_EQ(again.pressure(t), c.pressure(t));
+  ASSERT_EQ(again.motion.has_value(), c.motion.has_value());
+  for (double t = 0; c.motion && t < c.solve.t_end; t += c.solve.t_end / 37) {
+    EXPECT_EQ(again.motion->at(t).radius, c.motion->at(t).radius);
+  }
   EXPECT_FALSE(c.title.empty());
 }
 

@@ -54,6 +54,18 @@ std::string replaced(const std::string& from, const std::string& to) {
   return text;
 }
 
+/// The lines from one text up to the next, which is kept.
+std::string without(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  text.erase(at, text.find(to) - at);
+  return text;
+}
+
+/// The same balloon on a dictated radius.
+std::string dictated(const std::string& motion) {
+  return without(good_case, "[pressure]", "[model]") + "[motion]\n" + motion;
+}
+
 class BadCase : public testing::TestWithParam<Mistake> {};
 
 TEST_P(BadCase, IsExplained) {
@@ -227,6 +239,98 @@ const std::vector<Mistake> mistakes{
     {"KeyTwice", "radius = \"30 cm\"", "radius = \"30 cm\"\nradius = \"31 cm\"", {"case.toml:4", "not valid TOML"}},
 };
 
+// The lines below [motion], which is line 21.
+const std::vector<std::pair<std::string, std::vector<std::string>>> bad_motions{
+    {"", {"motion.radius: missing", "motion.velocity: missing"}},
+    {"radius = \"30 cm\"\n", {"motion.velocity: missing", "at least one segment"}},
+    {"velocity = [ { hold = \"1 s\" } ]\n", {"motion.radius: missing"}},
+    {"radius = \"30 cm\"\nvelocity = []\n", {"case.toml:23", "motion.velocity", "is empty"}},
+    {"radius = \"30 cm\"\nvelocity = \"2 cm/s\"\n", {"motion.velocity", "not a list of tables"}},
+    {"radius = \"30 cm\"\nvelocity = [ \"2 cm/s\" ]\n", {"motion.velocity[0]", "not a table"}},
+    {"radius = \"30 cm\"\nvelocity = [ { step = \"2 cm/s\" } ]\n",
+     {"case.toml:23", "motion.velocity[0]", "infinite acceleration", "to = \"2 cm/s\", over ="}},
+    {"radius = \"30 cm\"\nvelocity = [ { shape = \"smooth\" } ]\n", {"says neither hold nor to"}},
+    {"radius = \"30 cm\"\nvelocity = [ { to = \"2 cm/s\" } ]\n", {"says to but not over"}},
+    {"radius = \"30 cm\"\nvelocity = [ { to = \"2 cm\", over = \"1 s\" } ]\n",
+     {"motion.velocity[0].to", "\"cm\" has the wrong dimension", "m/s"}},
+    {"radius = \"30 kPa\"\nvelocity = [ { hold = \"1 s\" } ]\n", {"motion.radius", "\"kPa\" has the wrong dimension"}},
+    {"radius = \"30 cm\"\nspeed = \"1 m/s\"\nvelocity = [ { hold = \"1 s\" } ]\n",
+     {"case.toml:23", "motion.speed", "unknown key"}},
+    {"radius = \"30 cm\"\nstrat = \"1 m/s\"\nvelocity = [ { hold = \"1 s\" } ]\n", {"did you mean motion.start"}},
+    {"radius = \"3 cm\"\nvelocity = [ { hold = \"1 s\" } ]\n",
+     {"case.toml:22", "no larger than its orifice", "inlet.orifice_radius = 0.03 m"}},
+    // from 0.3 m at -0.2 m/s: 0.03 m is passed after 1.35 s, and at the end of the run 0.3 m - 6 s 0.2 m/s is left
+    {"radius = \"30 cm\"\nstart = \"-20 cm/s\"\nvelocity = [ { hold = \"1 s\" } ]\n",
+     {"case.toml:24", "motion.velocity", "at t = 1.35 s, and to -0.9 m at t = 6 s",
+      "above inlet.orifice_radius = 0.03 m"}},
+    // -0.4 m/s to 0.4 m/s over 4 s turns after 2 s, 0.4 m further in
+    {"radius = \"30 cm\"\nstart = \"-40 cm/s\"\nvelocity = [ { to = \"40 cm/s\", over = \"4 s\" } ]\n",
+     {"and to -0.1 m at t = 2 s"}},
+    {"radius = \"30 cm\"\nvelocity = [ { to = \"10 m/s\", over = \"1 s\" } ]\n",
+     {"grows to 55.3 m at t = 6 s", "30 m"}},
+    {"radius = \"30 cm\"\nvelocity = [ { hold = \"1e308 s\" }, { hold = \"1e308 s\" } ]\n", {"never end"}},
+    {"radius = \"30 cm\"\nvelocity = [ { hold = \"1 s\" } ]\n[pressure]\nconstant = \"1 kPa\"\n",
+     {"case.toml:24", "pressure: given together with [motion]", "[pressure] and [initial]"}},
+    {"radius = \"30 cm\"\nvelocity = [ { hold = \"1 s\" } ]\n[initial]\nstretch = 1.1\n",
+     {"case.toml:24", "initial: given together with [motion]", "[pressure] and [initial]"}},
+    {"radius = \"30 cm\"\nvelocity = [ { hold = \"1 s\" } ]\n[expect]\nevents = { value = 1, tolerance = 0 }\n",
+     {"expect: given together with [motion]"}},
+};
+
+TEST(BadInput, DictatedMotions) {
+  const Folder folder;
+  for (const auto& [motion, says] : bad_motions) {
+    test::write(folder / "case.toml", dictated(motion));
+    const auto validated = turgor(folder, {"validate", "case.toml"});
+    EXPECT_EQ(validated.code, 2) << motion;
+    for (const auto& words : says) {
+      EXPECT_NE(validated.err.find(words), std::string::npos) << "no \"" << words << "\" in:\n" << validated.err;
+    }
+    const auto force = turgor(folder, {"force", "case.toml", "-o", "result"});
+    EXPECT_EQ(force.code, 2);
+    EXPECT_EQ(force.err, validated.err);
+    EXPECT_FALSE(std::filesystem::exists(folder / "result"));
+  }
+  test::write(folder / "case.toml", "motion = 3\n" + good_case);
+  EXPECT_NE(turgor(folder, {"validate", "case.toml"}).err.find("motion = 3: is an integer, not a table"),
+            std::string::npos);
+}
+
+TEST(BadInput, ForcesThatAreNoNumbers) {
+  const Folder folder;
+  test::write(folder / "case.toml",
+              dictated("radius = \"30 cm\"\nvelocity = [ { to = \"1e200 m/s\", over = \"1e-210 s\" }, "
+                       "{ to = \"0 m/s\", over = \"1e-210 s\" } ]\n"));
+  const auto result = turgor(folder, {"force", "case.toml", "-o", "result"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_NE(result.err.find("not a finite number (r = 0.3 m, dr/dt = "), std::string::npos) << result.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "result"));
+}
+
+// Each command tells which one takes the other kind of case.
+TEST(BadInput, CasesForAnotherCommand) {
+  const Folder folder;
+  test::write(folder / "motion.toml", dictated("radius = \"30 cm\"\nvelocity = [ { hold = \"1 s\" } ]\n"));
+  ASSERT_EQ(turgor(folder, {"validate", "motion.toml"}).code, 0);
+  for (const char* command : {"run", "info"}) {
+    const auto result = turgor(folder, {command, "motion.toml"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_NE(result.err.find("motion.toml: motion: the case dictates the radius"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("`turgor force`"), std::string::npos) << result.err;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "motion.run"));
+
+  test::write(folder / "case.toml", good_case);
+  const auto result = turgor(folder, {"force", "case.toml"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_FALSE(std::filesystem::exists(folder / "case.force"));
+  // the lines that the message shows make a case
+  const std::size_t lines = result.err.find("[motion]\nradius = ");
+  ASSERT_NE(lines, std::string::npos) << result.err;
+  test::write(folder / "case.toml", without(good_case, "[pressure]", "[model]") + result.err.substr(lines));
+  EXPECT_EQ(turgor(folder, {"force", "case.toml", "--no-pictures"}).code, 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Mistakes, BadCase, testing::ValuesIn(mistakes),
                          [](const auto& test) { return test.param.name; });
 
@@ -245,7 +349,7 @@ TEST(BadInput, AllIssuesOfAFileAreReportedAtOnce) {
 
 TEST(BadInput, UnreadableFiles) {
   const Folder folder;
-  for (const char* command : {"run", "info", "validate"}) {
+  for (const char* command : {"run", "force", "info", "validate"}) {
     const auto missing = turgor(folder, {command, "none.toml"});
     EXPECT_EQ(missing.code, 2);
     EXPECT_NE(missing.err.find("none.toml"), std::string::npos);
@@ -330,7 +434,7 @@ TEST(BadInput, RunDirectories) {
 TEST(BadInput, CommandLines) {
   const Folder folder;
   for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-           {}, {"simulate"}, {"run"}, {"run", "a", "b"}, {"run", "a", "--fast"}, {"doc", "tables"}}) {
+           {}, {"simulate"}, {"run"}, {"run", "a", "b"}, {"run", "a", "--fast"}, {"force"}, {"doc", "tables"}}) {
     const auto result = turgor(folder, arguments);
     EXPECT_EQ(result.code, 2);
     EXPECT_NE(result.err, "");

@@ -320,6 +320,14 @@ TEST(Sweep, OtherCommandsLeaveTheAxesAlone) {
   EXPECT_NE(turgor(folder, {"doc", "sweep"}).out.find("sweep.axes"), std::string::npos);
 }
 
+TEST(Sweep, ADictatedMotionIsForAnotherCommand) {
+  const Folder folder;
+  const auto result = turgor(folder, {"sweep", (fs::path(TURGOR_CASES) / "motion-orifice-30mm.toml").string()});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_NE(result.err.find("`turgor force`"), std::string::npos) << result.err;
+  EXPECT_FALSE(fs::exists(folder / "motion-orifice-30mm.nc"));
+}
+
 TEST(Sweep, ACaseWithoutASweepIsSaidSo) {
   const Folder folder;
   test::write(folder / "case.toml", balloon);

@@ -31,6 +31,35 @@ TEST(Closure, ForceReproducesTheReferenceValues) {
   }
 }
 
+// Each term of (2.12) and (2.15) written out as the paper does, with its 1 - sgn(dr/dt).
+TEST(Closure, PartsAreTheTermsOfThePaper) {
+  const double pi = std::numbers::pi;
+  const double rho = 870, r_ch = 0.013, L = 0.4, r = 0.21, p = 1234;
+  for (const Closure closure : all_closures) {
+    const bool corrected = closure == Closure::corrected;
+    for (const double rate : {-0.07, 0.05}) {
+      for (const double acceleration : {-0.6, 0.9}) {
+        const double sign = rate < 0 ? -1 : 1;
+        const double inertial = (corrected ? 223.0 / 32 : 9 / std::sqrt(2.0)) * (1 - sign);
+        const double centripetal = (corrected ? 75.0 / 32 : 1.5) * (1 - sign);
+        const double dv = 4 * rho / r_ch * std::pow(r, 4) * acceleration;
+        const double v2 = 32 * rho / (r_ch * r_ch) * std::pow(r, 3) * rate * rate;
+        const Regime regime = rate < 0 ? Regime::deflating : Regime::inflating;
+        const FlowState<double> state{r, rate, acceleration, p, r_ch, L, rho};
+        const ForceParts<double> parts = force_parts(closure, regime, state);
+        EXPECT_DOUBLE_EQ(parts.statics, 4 * pi * r * r * p);
+        EXPECT_DOUBLE_EQ(parts.channel_inertial, -dv * 4 * pi * L / r_ch);
+        EXPECT_DOUBLE_EQ(parts.channel_centripetal, -v2 * pi * L);
+        EXPECT_DOUBLE_EQ(parts.balloon_inertial, -dv * inertial);
+        EXPECT_DOUBLE_EQ(parts.balloon_centripetal, v2 * centripetal * std::pow(r, 3) / (r_ch * r_ch));
+        const double force = 4 * pi * r * r * p - dv * (4 * pi * L / r_ch + inertial) -
+                             v2 * (pi * L - centripetal * std::pow(r, 3) / (r_ch * r_ch));
+        EXPECT_NEAR(generalized_force(closure, regime, state), force, 1e-14 * (std::abs(dv) + v2) * 1e4);
+      }
+    }
+  }
+}
+
 // The force law and the oscillator are two derivations of one balance: 8 pi rho_s r0^2 d0 r'' + 4 pi r0 d0 W' = F - 4
 // pi r^2 p_a.
 TEST(Closure, ForceAndOscillatorAgree) {

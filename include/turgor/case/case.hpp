@@ -10,6 +10,7 @@
 #include "turgor/case/node.hpp"
 #include "turgor/case/schema.hpp"
 #include "turgor/case/sweep.hpp"
+#include "turgor/motion/prescribed_motion.hpp"
 #include "turgor/oscillator/oscillator.hpp"
 
 namespace turgor {
@@ -53,6 +54,7 @@ struct Case {
   Parameters<double> parameters;
   std::string material_name;
   PressureProgram<double> pressure = constant_pressure(0.0);
+  std::optional<PrescribedMotion<double>> motion;  ///< then stretch and stretch_rate mean nothing
   double stretch = 1;
   double stretch_rate = 0;     ///< [1/s]
   double max_stretch = 0;      ///< 0: never bursts
@@ -81,6 +83,14 @@ struct Case {
 /// The same from text; relative file names in it start from file's folder.
 [[nodiscard]] Case parse_case(const std::string& text, const std::filesystem::path& file,
                               const std::vector<std::string>& overrides = {});
+
+/// For what integrates the motion of a balloon.
+/// @throws InvalidInput when the case dictates the motion
+void require_free_motion(const Case& c);
+
+/// The dictated motion of a case.
+/// @throws InvalidInput when the case has none, with an example to copy
+[[nodiscard]] const PrescribedMotion<double>& dictated_motion(const Case& c);
 
 /// The resolved case with the model that was chosen for `model.name = "auto"`.
 [[nodiscard]] std::string resolved_with(const Case& c, Model model);

@@ -33,7 +33,7 @@ struct Forcing {
 template <class T>
 [[nodiscard]] Forcing<T> forcing(const SmoothPressure<T>& pressure) {
   if (const auto* p = std::get_if<PolynomialPressure<T>>(&pressure.form())) {
-    return {p->start, 1 / p->duration, p->polynomial, T(0), T(0), T(0)};
+    return {p->start, 1 / p->duration, p->coefficients, T(0), T(0), T(0)};
   }
   const auto& h = std::get<HarmonicPressure<T>>(pressure.form());
   return {T(0), T(1), {h.mean}, h.amplitude, 2 * std::numbers::pi_v<T> * h.frequency, h.phase};

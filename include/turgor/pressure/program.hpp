@@ -10,50 +10,19 @@
 #include <variant>
 #include <vector>
 
+#include "turgor/base/polynomial.hpp"
+
 namespace turgor {
 
-/// How the pressure goes from one value to the next.
+/// How a quantity goes from one value to the next.
 enum class RampShape {
   linear,  ///< s(x) = x
-  smooth,  ///< s(x) = x^3 (10 - 15 x + 6 x^2): velocity and acceleration zero at both ends
+  smooth,  ///< s(x) = x^3 (10 - 15 x + 6 x^2): first and second derivative zero at both ends
 };
 
-/// A polynomial of degree up to 5 in x = (t - start)/duration.
+/// A pressure [Pa] that is a polynomial of degree up to 5.
 template <class T>
-struct PolynomialPressure {
-  T start;                      ///< [s]
-  T duration;                   ///< [s], > 0
-  std::array<T, 6> polynomial;  ///< coefficients of 1, x, ..., x^5 [Pa]
-
-  [[nodiscard]] T derivative(int k, const T& t) const {
-    const T x = (t - start) / duration;
-    T sum(0);
-    for (int i = 5; i >= k; --i) {
-      T falling(1);
-      for (int j = 0; j < k; ++j) falling *= static_cast<T>(i - j);
-      sum = sum * x + falling * polynomial[static_cast<std::size_t>(i)];
-    }
-    T scale(1);
-    for (int j = 0; j < k; ++j) scale *= duration;
-    return sum / scale;
-  }
-
-  [[nodiscard]] T derivative_size(int k) const {
-    PolynomialPressure all_positive = *this;
-    for (T& coefficient : all_positive.polynomial) coefficient = coefficient < T(0) ? -coefficient : coefficient;
-    return all_positive.derivative(k, start + duration);
-  }
-
-  [[nodiscard]] bool is_constant() const {
-    return std::all_of(polynomial.begin() + 1, polynomial.end(), [](const T& c) { return c == T(0); });
-  }
-
-  [[nodiscard]] PolynomialPressure in_units(const T& pressure, const T& time) const {
-    PolynomialPressure scaled{start / time, duration / time, polynomial};
-    for (T& coefficient : scaled.polynomial) coefficient /= pressure;
-    return scaled;
-  }
-};
+using PolynomialPressure = Polynomial<T, 5>;
 
 /// p(t) = mean + amplitude sin(2 pi frequency t + phase).
 template <class T>
@@ -180,23 +149,25 @@ template <class T>
   return PressureProgram<T>({{T(0), harmonic}});
 }
 
-/// Builds a list of segments one after the other; the last value holds for ever.
+/// A quantity that goes through segments one after the other from t = 0: a pressure [Pa], or a velocity [m/s]. The last
+/// value holds for ever.
 template <class T>
 class SegmentList {
  public:
-  /// @param start  gauge pressure at t = 0 [Pa]
+  /// @param start  value at t = 0
   explicit SegmentList(const T& start) : value_(start) {}
 
-  /// Keeps the pressure for `duration` [s].
+  /// Keeps the value for `duration` [s].
   SegmentList& hold(const T& duration) { return append({value_, T(0), T(0), T(0), T(0), T(0)}, duration); }
 
-  /// Jumps to `value` [Pa].
+  /// Jumps to `value`.
   SegmentList& step(const T& value) {
+    jumps_ = jumps_ || value != value_;
     value_ = value;
     return *this;
   }
 
-  /// Goes to `value` [Pa] over `duration` [s].
+  /// Goes to `value` over `duration` [s].
   SegmentList& ramp(const T& value, const T& duration, RampShape shape) {
     const T rise = value - value_;
     std::array<T, 6> polynomial{value_, rise, T(0), T(0), T(0), T(0)};
@@ -205,22 +176,35 @@ class SegmentList {
     return append(polynomial, duration);
   }
 
-  [[nodiscard]] PressureProgram<T> build() const {
+  /// End of the last segment [s].
+  [[nodiscard]] const T& end() const { return time_; }
+  [[nodiscard]] bool jumps() const { return jumps_; }
+
+  /// The segments in order of time, each monotone, and a last piece that holds the last value.
+  [[nodiscard]] std::vector<Polynomial<T, 5>> pieces() const {
     SegmentList whole = *this;
     whole.hold(T(1));
-    return PressureProgram<T>(std::move(whole.pieces_));
+    return std::move(whole.pieces_);
+  }
+
+  /// The pressure program of these segments.
+  [[nodiscard]] PressureProgram<T> build() const {
+    std::vector<typename PressureProgram<T>::Piece> program;
+    for (const Polynomial<T, 5>& piece : pieces()) program.push_back({piece.start, piece});
+    return PressureProgram<T>(std::move(program));
   }
 
  private:
   SegmentList& append(const std::array<T, 6>& polynomial, const T& duration) {
-    pieces_.push_back({time_, PolynomialPressure<T>{time_, duration, polynomial}});
+    pieces_.push_back({time_, duration, polynomial});
     time_ += duration;
     return *this;
   }
 
   T time_{0};
   T value_;
-  std::vector<typename PressureProgram<T>::Piece> pieces_;
+  bool jumps_ = false;
+  std::vector<Polynomial<T, 5>> pieces_;
 };
 
 /// How a table is read between its rows.

@@ -22,6 +22,9 @@ namespace turgor {
 /// A few lines for the screen; with `verbose` also the model comparison and the integrator's work.
 [[nodiscard]] std::string summary(const Case& c, const RunResult& result, bool verbose);
 
+/// Times of the rows of tables that a case asks for [s].
+[[nodiscard]] std::vector<double> requested_times(const SolveSettings& solve);
+
 /// A time at which tables have a row.
 struct RowTime {
   double scaled;   ///< on the trajectory's clock

@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <cmath>
+
+#include "parts.hpp"
+#include "turgor/base/text.hpp"
+#include "turgor/statics/statics.hpp"
+
+namespace turgor {
+
+void declare_dynamics(Schema& schema) {
+  using enum ValueKind;
+  schema.describe("initial", "state at t = 0");
+  schema.add({.path = "initial.stretch",
+              .kind = number,
+              .range = {0, largest_stretch, true},
+              .choices = {"equilibrium"},
+              .fallback = "1.0",
+              .meaning = "R = r/r0, or \"equilibrium\": the lowest stable one at the pressure at t = 0"});
+  schema.add({.path = "initial.stretch_rate", .unit = "1/s", .fallback = "0 1/s", .meaning = "dR/dt"});
+
+  schema.describe("model", "which equation of motion");
+  schema.add({.path = "model.name",
+              .kind = text,
+              .choices = {"full", "orifice", "long-channel", "auto"},
+              .fallback = "auto",
+              .meaning = "(2.22), (2.23), (2.25), or the simplest whose dropped terms are all below auto_tolerance"});
+  schema.add({.path = "model.closure",
+              .kind = text,
+              .choices = {"theoretical", "corrected"},
+              .fallback = "corrected",
+              .meaning = "liquid in the balloon during deflation: (2.12) or (2.15)"});
+  schema.add({.path = "model.auto_tolerance",
+              .kind = number,
+              .range = {0, 1, true},
+              .fallback = "0.05",
+              .meaning = "for name = \"auto\": largest relative size of a dropped term"});
+
+  schema.describe("scales", "for the dimensionless form of results (2.21); they change no physical result");
+  schema.add(
+      {.path = "scales.pressure",
+       .unit = "Pa",
+       .range = positive,
+       .meaning =
+           "p_typ; when not given, the greatest size of the gauge pressure up to t_end (d0 W''(1)/r0 when that is 0)"});
+  schema.add({.path = "scales.time",
+              .unit = "s",
+              .range = positive,
+              .meaning = "t_typ; the inverse natural frequency of deflation about R = 1 when not given"});
+}
+
+namespace {
+
+void read_initial(Reader& reader, Case& c) {
+  if (reader.is_word("initial.stretch", "equilibrium")) {
+    if (!reader.issues().empty()) return;  // an equilibrium needs a valid balloon and pressure
+    const double pressure = c.pressure(0.0);
+    const auto states = equilibria(c.parameters, pressure);
+    const auto lowest = std::ranges::find(states, true, &Equilibrium::stable);
+    if (lowest == states.end()) {
+      reader.complain("initial.stretch",
+                      "the balloon has no stable equilibrium at p(0) = " + shortest(pressure) + " Pa",
+                      "`turgor info` lists limit points and equilibria");
+      return;
+    }
+    c.stretch = lowest->stretch;
+    reader.resolve("initial.stretch", [&] { return toml_quantity(c.stretch, "1"); });
+  } else {
+    c.stretch = reader.number("initial.stretch").value_or(1);
+  }
+  c.stretch_rate = reader.number("initial.stretch_rate").value_or(0);
+  if (!reader.issues().empty()) return;
+  const Parameters<double>& p = c.parameters;
+  if (!std::isfinite(strain_energy(p.material, c.stretch).first)) {
+    reader.complain("initial.stretch", "beyond the stretch at which the material locks",
+                    "this one locks at " + rounded(stretch_limit(p.material), 6) + ", and in compression likewise");
+  }
+  if (c.max_stretch > 0 && c.stretch >= c.max_stretch) {
+    reader.complain("initial.stretch", "the wall has burst already",
+                    "material.max_stretch is " + shortest(c.max_stretch));
+  }
+  if (p.orifice_radius >= c.stretch * p.radius) {
+    reader.complain("initial.stretch", "compresses the balloon to less than its orifice",
+                    "must be more than orifice_radius/radius = " + shortest(p.orifice_radius / p.radius));
+  }
+}
+
+void read_model(Reader& reader, Case& c) {
+  const auto name = reader.text("model.name");
+  const auto closure = reader.text("model.closure");
+  c.auto_tolerance = reader.number("model.auto_tolerance").value_or(0.05);
+  c.parameters.closure = closure == "theoretical" ? Closure::theoretical : Closure::corrected;
+  c.model.reset();
+  for (const Model model : {Model::full, Model::orifice, Model::long_channel}) {
+    if (name == name_of(model)) c.model = model;
+  }
+  const bool channel = c.parameters.channel_length > 0;
+  if (c.model == Model::orifice && channel) {
+    reader.complain(
+        "model.name", "there is a channel (inlet.channel_length = " + shortest(c.parameters.channel_length) + " m)",
+        "the orifice model has none: use \"full\", \"long-channel\" or \"auto\", or set channel_length to \"0 m\"");
+  }
+  if (c.model == Model::long_channel && !channel) {
+    reader.complain("model.name", "there is no channel (inlet.channel_length is 0)",
+                    "use \"orifice\", \"full\" or \"auto\", or give inlet.channel_length");
+  }
+}
+
+}  // namespace
+
+void read_dynamics(Reader& reader, Case& c) {
+  if (c.motion) {
+    check_motion(reader, c);
+  } else {
+    read_initial(reader, c);
+  }
+  read_model(reader, c);
+  const auto pressure = reader.number("scales.pressure");
+  const auto time = reader.number("scales.time");
+  if (!reader.issues().empty()) return;
+  const Scales<double> scales = natural_scales(c.parameters, c.pressure, c.solve.t_end);
+  c.scales = {scales.length, pressure.value_or(scales.pressure), time.value_or(scales.time)};
+  reader.resolve("scales.pressure", [&] { return toml_quantity(c.scales.pressure, "Pa"); });
+  reader.resolve("scales.time", [&] { return toml_quantity(c.scales.time, "s"); });
+}
+
+}  // namespace turgor
