@@ -49,6 +49,7 @@ class Checks {
   }
 
   void orifice() {
+    if (is_exact(p_.closure)) return;
     const double largest = p_.orifice_radius / (p_.radius * range_.least);
     const double smallest = p_.orifice_radius / (p_.radius * range_.greatest);
     if (largest > largest_kappa * (1 + slack)) {
