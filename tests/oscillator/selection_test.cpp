@@ -24,6 +24,25 @@ TEST(Selection, ComparesEachDroppedTermWithTheOneThatIsKept) {
   EXPECT_TRUE(dropped_terms(Model::full, balloon(0.01, 0.5), 1.0, 2.0).empty());
 }
 
+// 0.15 m of 0.3 m at R = 1: kappa = 1/2. What the factors do at each end is taken from the coefficients themselves.
+TEST(Selection, ComparesTermsWithTheirFactors) {
+  const auto p = test::with_closure(balloon(0.15, 0.5), Closure::potential);
+  const Oscillator<double> full(Model::full, p, constant_pressure(0.0), test::si_scales(p));
+  const auto at = [&](double R) {
+    const auto in = full.coefficients(Regime::inflating, R);
+    const auto out = full.coefficients(Regime::deflating, R);
+    const double solid = full.dimensionless_groups().a0 / full.dimensionless_groups().K;
+    return std::array{solid / (in.mass - solid), (out.mass - in.mass) / (in.mass - solid),
+                      in.centripetal / (in.centripetal - out.centripetal)};
+  };
+  const auto terms = dropped_terms(Model::long_channel, p, 0.8, 3.0);
+  ASSERT_EQ(terms.size(), 4U);
+  EXPECT_NEAR(terms[0].ratio / at(0.8)[0], 1, 1e-12);
+  EXPECT_NEAR(terms[2].ratio / std::max(at(0.8)[1], at(3.0)[1]), 1, 1e-12);
+  EXPECT_NEAR(terms[3].ratio / at(0.8)[2], 1, 1e-12);
+  EXPECT_NE(dropped_terms(Model::long_channel, balloon(0.15, 0.5), 0.8, 3.0)[2].ratio, terms[2].ratio);
+}
+
 TEST(Selection, TakesTheSimplestModelThatDropsLittle) {
   EXPECT_EQ(simplest_model(balloon(0.03, 0.0), 1.0, 1.2, 0.05), Model::orifice);
   EXPECT_EQ(simplest_model(balloon(0.01, 0.5), 1.0, 1.2, 0.05), Model::long_channel);
