@@ -135,7 +135,10 @@ TEST(Statics, ExactClosureRestsWhereTheForceChangesSign) {
 // One balloon after another of the same material: what is remembered of the last must not serve the next.
 TEST(Statics, LimitPointsDependOnTheOrificeOfAnExactClosure) {
   const auto first = [](double orifice_radius, Closure closure) {
-    return limit_points(test::with_closure(test::paper_balloon<double>(orifice_radius, 0.0), closure)).front();
+    const auto p = test::with_closure(test::paper_balloon<double>(orifice_radius, 0.0), closure);
+    const LimitPoint point = limit_points(p).front();
+    EXPECT_NEAR(static_pressure(p, point.stretch).slope, 0, 1e-8 * point.pressure);
+    return point;
   };
   const auto fitted = first(0.15, Closure::corrected);
   const auto wide = first(0.15, Closure::potential);
