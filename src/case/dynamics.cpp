@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "parts.hpp"
+#include "turgor/base/errors.hpp"
 #include "turgor/base/text.hpp"
 #include "turgor/statics/statics.hpp"
 
@@ -26,9 +27,9 @@ void declare_dynamics(Schema& schema) {
               .meaning = "(2.22), (2.23), (2.25), or the simplest whose dropped terms are all below auto_tolerance"});
   schema.add({.path = "model.closure",
               .kind = text,
-              .choices = {"theoretical", "corrected"},
+              .choices = {"theoretical", "corrected", "potential"},
               .fallback = "corrected",
-              .meaning = "liquid in the balloon during deflation: (2.12) or (2.15)"});
+              .meaning = "liquid in the balloon during deflation: (2.12), (2.15) or (2.8) itself"});
   schema.add({.path = "model.auto_tolerance",
               .kind = number,
               .range = {0, 1, true},
@@ -49,6 +50,19 @@ void declare_dynamics(Schema& schema) {
 }
 
 namespace {
+
+void read_closure(Reader& reader, Case& c) {
+  const auto name = reader.text("model.closure");
+  for (const Closure closure : {Closure::theoretical, Closure::corrected, Closure::potential}) {
+    if (name == name_of(closure)) c.parameters.closure = closure;
+  }
+  if (!reader.issues().empty()) return;  // a table needs a valid balloon
+  try {
+    static_cast<void>(force_table(c.parameters));
+  } catch (const InvalidInput& error) {
+    reader.complain(error);
+  }
+}
 
 void read_initial(Reader& reader, Case& c) {
   if (reader.is_word("initial.stretch", "equilibrium")) {
@@ -81,14 +95,18 @@ void read_initial(Reader& reader, Case& c) {
   if (p.orifice_radius >= c.stretch * p.radius) {
     reader.complain("initial.stretch", "compresses the balloon to less than its orifice",
                     "must be more than orifice_radius/radius = " + shortest(p.orifice_radius / p.radius));
+    return;
+  }
+  try {
+    require_closure(p, c.stretch);
+  } catch (const InvalidInput& error) {
+    reader.complain(error);
   }
 }
 
 void read_model(Reader& reader, Case& c) {
   const auto name = reader.text("model.name");
-  const auto closure = reader.text("model.closure");
   c.auto_tolerance = reader.number("model.auto_tolerance").value_or(0.05);
-  c.parameters.closure = closure == "theoretical" ? Closure::theoretical : Closure::corrected;
   c.model.reset();
   for (const Model model : {Model::full, Model::orifice, Model::long_channel}) {
     if (name == name_of(model)) c.model = model;
@@ -108,6 +126,7 @@ void read_model(Reader& reader, Case& c) {
 }  // namespace
 
 void read_dynamics(Reader& reader, Case& c) {
+  read_closure(reader, c);
   if (c.motion) {
     check_motion(reader, c);
   } else {

@@ -74,6 +74,13 @@ void check_motion(Reader& reader, const Case& c) {
         "the radius grows to " + rounded(range.greatest, 6) + " m at t = " + rounded(range.greatest_time, 6) + " s",
         "must stay below " + shortest(largest_stretch) + " times balloon.radius = " + shortest(largest) +
             " m up to solve.t_end = " + shortest(c.solve.t_end) + " s");
+  } else if (const StretchLimits<double> limits = closure_limits(p);
+             !(range.least >= limits.least * p.radius && range.greatest <= limits.greatest * p.radius)) {
+    reader.complain("motion.velocity",
+                    "r_ch/r goes from " + rounded(p.orifice_radius / range.greatest, 6) + " to " +
+                        rounded(p.orifice_radius / range.least, 6) + ", beyond the range of model.closure = \"" +
+                        std::string(name_of(p.closure)) + "\"",
+                    "must stay between 2^-17 and 0.75 up to solve.t_end");
   }
 }
 

@@ -1,5 +1,7 @@
 #include "turgor/ensemble/ensemble.hpp"
 
+#include <map>
+
 #include "kernel.hpp"
 #include "turgor/base/errors.hpp"
 
@@ -46,18 +48,30 @@ EnsembleKernel* kernel_for(InstructionSet) { return &ensemble_kernel_scalar; }
 
 #endif
 
+namespace {
+
+/// What the members in one call of a kernel share: the alternative of the material, and the closure's table.
+using Kind = std::pair<std::size_t, const ForceTable*>;
+
+struct Batch {
+  std::vector<const Member*> members;
+  std::vector<MemberSummary*> summaries;
+};
+
+}  // namespace
+
 void integrate_ensemble(std::span<const Member> members, const SummaryOptions& options,
                         std::span<MemberSummary> summaries, InstructionSet set) {
   for (const Member& m : members) check_start(m.oscillator, 0.0, m.stretch, m.rate, m.end_time, m.options);
-  std::array<std::vector<const Member*>, std::variant_size_v<Material<double>>> by_material;
-  std::array<std::vector<MemberSummary*>, std::variant_size_v<Material<double>>> results;
+  std::map<Kind, Batch> batches;
   for (std::size_t i = 0; i < members.size(); ++i) {
-    const std::size_t material = members[i].oscillator.parameters().material.index();
+    const Oscillator<double>& oscillator = members[i].oscillator;
+    Batch& batch = batches[{oscillator.parameters().material.index(), oscillator.force_table()}];
     summaries[i] = {};
-    by_material[material].push_back(&members[i]);
-    results[material].push_back(&summaries[i]);
+    batch.members.push_back(&members[i]);
+    batch.summaries.push_back(&summaries[i]);
   }
-  for (std::size_t i = 0; i < by_material.size(); ++i) kernel_for(set)(by_material[i], options, results[i]);
+  for (const auto& [kind, batch] : batches) kernel_for(set)(batch.members, options, batch.summaries);
 }
 
 }  // namespace turgor

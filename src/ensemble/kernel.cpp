@@ -44,8 +44,8 @@ class Ensemble {
            std::span<MemberSummary* const> summaries)
       : members_(members),
         summaries_(summaries),
-        nimble_(common_material(members), StepMethod::explicit_pair, options),
-        stiff_(common_material(members), StepMethod::rosenbrock, options) {}
+        nimble_(members, StepMethod::explicit_pair, options),
+        stiff_(members, StepMethod::rosenbrock, options) {}
 
   void run() {
     while (true) {
@@ -62,8 +62,9 @@ class Ensemble {
 
  private:
   struct Pool {
-    Pool(const Material<Value>& material, StepMethod method, const SummaryOptions& options)
-        : observer(options), lanes(material, method, observer) {}
+    Pool(std::span<const Member* const> members, StepMethod method, const SummaryOptions& options)
+        : observer(options),
+          lanes(common_material(members), members.front()->oscillator.force_table(), method, observer) {}
 
     [[nodiscard]] bool busy() const { return lanes.integrator().running(); }
     [[nodiscard]] int active() const {

@@ -5,7 +5,8 @@
 
 namespace turgor {
 
-/// Integrates members of one material (the same alternative, for Ogden up to a common number of terms).
+/// Integrates members of one material (the same alternative, for Ogden up to a common number of terms) and one table of
+/// the closure, or none.
 using EnsembleKernel = void(std::span<const Member* const> members, const SummaryOptions& options,
                             std::span<MemberSummary* const> summaries);
 

@@ -153,7 +153,7 @@ class Summarizer {
       const V theta(nodes[i]);
       const V R = at(dense, 0, theta);
       const V v = at(dense, 1, theta);
-      work += V(weights[i]) * R * R * v * lanes.pressure(start + theta * h);
+      work += V(weights[i]) * lanes.area(R) * v * lanes.pressure(start + theta * h);
       lost += V(weights[i]) * lanes.dissipation_rate(R, v);
     }
     Tally<V>& t = tally_;

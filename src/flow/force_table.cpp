@@ -33,7 +33,7 @@ ForceTable::Piece ForceTable::compute(const OutflowProfile& profile, std::size_t
 }
 
 ForceTable::ForceTable(OutflowProfile profile)
-    : profile_(std::move(profile)), slots_(std::make_unique<std::array<Slot, pieces>>()) {}
+    : profile_(std::move(profile)), slots_(std::make_shared<std::array<Slot, pieces>>()) {}
 
 ForceTable::ForceTable(Uniform) : ForceTable(OutflowProfile::uniform()) {
   for (std::size_t i = 0; i < pieces; ++i) {

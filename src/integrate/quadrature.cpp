@@ -54,7 +54,8 @@ class QuadratureRun final : public HybridRun<T> {
     while (true) {
       const BallisticPath<T> path{rate_, pull};
       if (!(time_ + h_ > time_)) {
-        fail(Outcome::step_failed, "the step size fell below what the clock resolves");
+        const Standstill why = standstill(this->oscillator_, stretch_);
+        fail(why.outcome, why.text);
         return;
       }
       const auto panel = Panel<T>::make(stroke, path, {place(), energy, T(0), h_, false});

@@ -80,6 +80,7 @@ void check_start(const Oscillator<T>& oscillator, const T& start_time, const T& 
     throw InvalidInput("initial.stretch", text(stretch), "not a stretch this material can have",
                        "must be positive and where the tension of the wall is finite");
   }
+  require_closure(oscillator.parameters(), stretch);
   if (options.max_stretch > T(0) && stretch >= options.max_stretch) {
     throw InvalidInput("initial.stretch", text(stretch), "the wall has burst already",
                        "material.max_stretch is " + text(options.max_stretch));
@@ -96,7 +97,8 @@ Trajectory<T> simulate(const Oscillator<T>& oscillator, const T& start_time, con
                        const T& end_time, const SimulationOptions<T>& options) {
   check_start(oscillator, start_time, stretch, rate, end_time, options);
   Recorder<T> recorder;
-  OscillatorLanes<T, Recorder<T>> lanes(oscillator.parameters().material, StepMethod::explicit_pair, recorder);
+  OscillatorLanes<T, Recorder<T>> lanes(oscillator.parameters().material, oscillator.force_table(),
+                                        StepMethod::explicit_pair, recorder);
   lanes.load(0, oscillator, start_time, stretch, rate, end_time, options);
   lanes.run();
   return std::move(recorder.trajectory());
@@ -113,6 +115,24 @@ bool is_settled(const Oscillator<T>& oscillator, const SmoothPressure<T>& pressu
   const Coefficients<T> c = oscillator.coefficients(Regime::inflating, stretch);
   const T stiffness = c.elastic_slope - c.area_slope * p;
   return stiffness > T(0) && std::abs(c.area * p - c.elastic) <= rest_tol * stiffness;
+}
+
+template <class T>
+Standstill standstill(const Oscillator<T>& oscillator, const T& stretch) {
+  // The last steps stay closer to the end than this.
+  constexpr T near = T(1e-6);
+  const StretchLimits<T> limits = closure_limits(oscillator.parameters());
+  const auto number = [](const T& x) { return rounded(static_cast<double>(x), 6); };
+  if (stretch < limits.least * (1 + near)) {
+    return {Outcome::closure_end, "R fell to r_ch/(0.75 r0) = " + number(limits.least) + ", where model.closure = \"" +
+                                      std::string(name_of(oscillator.parameters().closure)) +
+                                      "\" ends: the balloon is hardly larger than its orifice"};
+  }
+  if (stretch > limits.greatest * (1 - near)) {
+    return {Outcome::closure_end, "R reached 2^17 r_ch/r0 = " + number(limits.greatest) + ", where model.closure = \"" +
+                                      std::string(name_of(oscillator.parameters().closure)) + "\" ends"};
+  }
+  return {Outcome::step_failed, "the step size fell below what the clock resolves"};
 }
 
 template <class T>
@@ -137,6 +157,8 @@ template bool is_settled(const Oscillator<double>&, const SmoothPressure<double>
                          const double&);
 template bool is_settled(const Oscillator<long double>&, const SmoothPressure<long double>&, const long double&,
                          const long double&, const long double&);
+template Standstill standstill(const Oscillator<double>&, const double&);
+template Standstill standstill(const Oscillator<long double>&, const long double&);
 template std::string whereabouts(const Oscillator<double>&, const Point<double>&);
 template std::string whereabouts(const Oscillator<long double>&, const Point<long double>&);
 template void check_start(const Oscillator<double>&, const double&, const double&, const double&, const double&,
@@ -154,6 +176,7 @@ std::string_view name_of(Outcome outcome) {
     case Outcome::step_failed: return "step-failed";
     case Outcome::max_steps: return "max-steps";
     case Outcome::interrupted: return "interrupted";
+    case Outcome::closure_end: return "closure-end";
   }
   return "";
 }

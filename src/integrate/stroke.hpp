@@ -1,9 +1,10 @@
 #pragma once
 // Motion in one regime under one constant pressure: the kinetic energy as a function of the stretch, by quadrature.
 //
-// k = M (dR/dT)^2 obeys dk/dR = D k + 2 f with D = (M' + 2 Q)/M >= 0, zero while inflating, and f = a P - E. With
-// X(s) = int_s^R D, hence k(R) = k(R0) e^X(R0) + 2 int_{R0}^R f(s) e^X(s) ds. While inflating this is conservation of
-// energy, k/2 - R^3 P/3 + int E = const, whose closed form would lose digits to cancellation on short ways.
+// k = M (dR/dT)^2 obeys dk/dR = D k + 2 f with D = (M' + 2 Q)/M >= 0 and f = a P - E. With
+// X(s) = int_s^R D, hence k(R) = k(R0) e^X(R0) + 2 int_{R0}^R f(s) e^X(s) ds. While inflating D is zero, or with an
+// exact closure next to zero, and this is conservation of energy, for the fits k/2 - R^3 P/3 + int E = const, whose
+// closed form would lose digits to cancellation on short ways.
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +54,12 @@ class Stroke {
   /// @param oscillator   must outlive the stroke
   /// @param evaluations  counts evaluations of the coefficients; must outlive the stroke
   Stroke(const Oscillator<T>& oscillator, Regime regime, const T& pressure, long& evaluations)
-      : oscillator_(&oscillator), regime_(regime), pressure_(pressure), evaluations_(&evaluations) {}
+      : oscillator_(&oscillator),
+        regime_(regime),
+        undamped_(oscillator.conserves_energy(regime)),
+        least_(closure_limits(oscillator.parameters()).least),
+        pressure_(pressure),
+        evaluations_(&evaluations) {}
 
   [[nodiscard]] T direction() const { return static_cast<T>(static_cast<int>(regime_)); }
 
@@ -71,10 +77,10 @@ class Stroke {
 
   /// k after a way d, of either sign, over which f varies little; given k at the start.
   [[nodiscard]] T advanced(const Place<T>& from, const T& d, const T& k) const {
-    if (regime_ == Regime::inflating) return over_piece<7>(from, d, k);
+    if (undamped_) return over_piece<7>(from, d, k);
     const T end_damping = at(from.moved(d)).damping;
     const T exponent = std::max(at(from).damping, end_damping) * std::abs(d);
-    if (exponent <= T(1)) return over_piece<7>(from, d, k);
+    if (exponent <= T(1) || std::isnan(exponent)) return over_piece<7>(from, d, k);
     if (d > T(0)) return in_pieces<7>(from, d, k, std::ceil(exponent));
     // Backwards in R whatever lies more than `memory` decay lengths behind is forgotten.
     constexpr T memory(50);
@@ -83,8 +89,8 @@ class Stroke {
     return in_pieces<15>(from.moved(d + remembered), -remembered, T(0), std::ceil(memory / widest));
   }
 
-  /// The same over any way: halved until halves agree with the whole but for rounding. -infinity where the wall has
-  /// locked.
+  /// The same over any way within the closure's range: halved until halves agree with the whole but for rounding.
+  /// -infinity where the wall has locked.
   [[nodiscard]] T advanced_far(const Place<T>& from, const T& d, const T& k, int depth = 40) const {
     const Drive end = at(from.moved(d));
     if (!std::isfinite(end.force)) return -std::numeric_limits<T>::infinity();
@@ -105,7 +111,7 @@ class Stroke {
     constexpr int parts = 8;
     for (int i = 1; i <= parts; ++i) {
       const T beyond = direction() * reach * static_cast<T>(i) / parts;
-      if (!(from.stretch + beyond > T(0))) return std::nullopt;
+      if (!(from.stretch + beyond > least_)) return std::nullopt;
       const T there = advanced_far(from.moved(inside), beyond - inside, energy);
       if (!(there > T(0))) return turn_between(from, inside, energy, beyond);
       inside = beyond;
@@ -158,7 +164,7 @@ class Stroke {
       damping[i] = d * drive.damping;
       force[i] = 2 * d * drive.force;
     }
-    if (regime_ == Regime::inflating) return k + sum(rule.weight, force);
+    if (undamped_) return k + sum(rule.weight, force);
     T total = k * std::exp(sum(rule.weight, damping));
     for (std::size_t i = 0; i < rule.size; ++i) {
       total += rule.weight[i] * force[i] * std::exp(sum(rule.tail[i], damping));
@@ -178,6 +184,8 @@ class Stroke {
 
   const Oscillator<T>* oscillator_;
   Regime regime_;
+  bool undamped_;  ///< D = 0
+  T least_;        ///< stretch below which nothing is known
   T pressure_;
   long* evaluations_;
 };

@@ -28,14 +28,14 @@ EnergyLedger::Flux EnergyLedger::over_step(const TrajectoryStep<double>& step, d
   const double work = Gauss::integrate(
       [&](double x) {
         const double R = step.stretch_at(x);
-        return R * R * pressure(step.start + x * step.duration) * step.rate_at(x);
+        return oscillator_.area(R) * pressure(step.start + x * step.duration) * step.rate_at(x);
       },
       0.0, theta);
   double dissipated = 0;
-  if (step.regime == Regime::deflating) {
+  if (!oscillator_.conserves_energy(step.regime)) {
     dissipated = Gauss::integrate(
         [&](double x) {
-          const auto c = oscillator_.coefficients(step.regime, step.stretch_at(x));
+          const auto c = oscillator_.flow_coefficients(step.regime, step.stretch_at(x));
           const double v = step.rate_at(x);
           return -(c.mass_slope / 2 + c.centripetal) * v * v * v;
         },
@@ -46,7 +46,7 @@ EnergyLedger::Flux EnergyLedger::over_step(const TrajectoryStep<double>& step, d
 
 double EnergyLedger::kinetic(const Point<double>& point) const {
   if (point.regime == Regime::rest || point.rate == 0) return 0;
-  return oscillator_.coefficients(point.regime, point.stretch).mass * point.rate * point.rate / 2;
+  return oscillator_.flow_coefficients(point.regime, point.stretch).mass * point.rate * point.rate / 2;
 }
 
 Energies EnergyLedger::at(double time) const {

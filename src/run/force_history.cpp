@@ -20,12 +20,12 @@ using Json = nlohmann::ordered_json;
 using Motion = PrescribedMotion<double>;
 
 /// The force by one closure at time t in a phase of the motion.
-double force_within(const Case& c, std::size_t closure, const Motion::Phase& phase, double t) {
-  return forces_at(c, t, dictated_motion(c).within(phase, t)).all.at(closure);
+double force_within(const Case& c, Closure closure, const Motion::Phase& phase, double t) {
+  return forces_at(c, {closure}, t, dictated_motion(c).within(phase, t)).all.front();
 }
 
 /// The greatest force in size: the best of a grid, then Brent's method between its neighbours.
-ForcePeak peak_in(const Case& c, std::size_t closure, const Motion::Interval& in) {
+ForcePeak peak_in(const Case& c, Closure closure, const Motion::Interval& in) {
   constexpr int grid = 64;  // a force has a few extrema in a phase
   const auto time = [&](int i) { return i == grid ? in.end : in.begin + (in.end - in.begin) * i / grid; };
   const auto force = [&](double t) { return force_within(c, closure, in.phase, t); };
@@ -45,10 +45,10 @@ void keep_greater(std::optional<ForcePeak>& peak, const ForcePeak& other) {
   if (!peak || std::abs(other.force) > std::abs(peak->force)) peak = other;
 }
 
-ForceSummary summary_of(const Case& c, std::size_t closure) {
+ForceSummary summary_of(const Case& c, Closure closure) {
   std::optional<ForcePeak> peak;
-  ForceSummary summary{all_closures.at(closure), {}, {}, {}, 0, 0};
-  // The integrands are polynomials of degree up to 51: r^6 (dr/dt)^3 of a smooth ramp.
+  ForceSummary summary{closure, {}, {}, {}, 0, 0};
+  // The integrands are polynomials of degree up to 51, r^6 (dr/dt)^3 of a smooth ramp, or such times smooth factors.
   using Gauss = boost::math::quadrature::gauss<double, 30>;
   for (const Motion::Interval& in : dictated_motion(c).intervals(c.solve.t_end)) {
     const ForcePeak here = peak_in(c, closure, in);
@@ -71,15 +71,30 @@ Json to_json(const std::optional<ForcePeak>& peak) {
 
 }  // namespace
 
-ClosureForces forces_at(const Case& c, double time, const Motion::State& state) {
+std::vector<Closure> compared_closures(const Case& c) {
+  const Parameters<double>& p = c.parameters;
+  const RadiusRange<double> radius = range_of(dictated_motion(c), c.solve.t_end);
+  std::vector<Closure> compared;
+  for (const Closure closure : all_closures) {
+    const bool own = closure == p.closure;
+    const bool known = closure != Closure::profile &&
+                       (!is_exact(closure) || (p.orifice_radius / radius.least <= ForceTable::greatest_kappa &&
+                                               p.orifice_radius / radius.greatest >= ForceTable::least_kappa));
+    if (own || known) compared.push_back(closure);
+  }
+  return compared;
+}
+
+ClosureForces forces_at(const Case& c, const std::vector<Closure>& closures, double time, const Motion::State& state) {
   const Parameters<double>& p = c.parameters;
   const FlowState<double> flow{state.radius,     state.rate,       state.acceleration, c.pressure(time),
                                p.orifice_radius, p.channel_length, p.fluid_density};
-  ClosureForces forces{{}, force_parts(p.closure, state.regime, flow)};
+  const ForceTable* outflow = p.outflow.get();
+  ClosureForces forces{{}, force_parts(p.closure, state.regime, flow, outflow)};
   bool finite = std::isfinite(forces.parts.sum());
-  for (std::size_t i = 0; i < all_closures.size(); ++i) {
-    forces.all.at(i) = generalized_force(all_closures.at(i), state.regime, flow);
-    finite = finite && std::isfinite(forces.all.at(i));
+  for (const Closure closure : closures) {
+    forces.all.push_back(generalized_force(closure, state.regime, flow, outflow));
+    finite = finite && std::isfinite(forces.all.back());
   }
   if (finite) return forces;
   throw InvalidInput("motion.velocity", "",
@@ -93,7 +108,7 @@ ForceHistory force_history(const Case& c) {
   ForceHistory history{{}, range_of(dictated_motion(c), c.solve.t_end), {}};
   const double r0 = c.parameters.radius;
   history.warnings = strained_orifice(c.parameters, {history.radius.least / r0, history.radius.greatest / r0});
-  for (std::size_t i = 0; i < all_closures.size(); ++i) history.closures.push_back(summary_of(c, i));
+  for (const Closure closure : compared_closures(c)) history.closures.push_back(summary_of(c, closure));
   return history;
 }
 
@@ -104,12 +119,13 @@ std::string force_csv(const Case& c) {
   const std::string speed = o.length_unit + "/" + o.time_unit;
   std::string out = "t [" + o.time_unit + "],r [" + o.length_unit + "],drdt [" + speed + "],d2rdt2 [" + speed +
                     "^2],kappa [1],regime";
-  for (const Closure closure : all_closures) out += "," + column_name(closure) + " [N]";
+  const std::vector<Closure> closures = compared_closures(c);
+  for (const Closure closure : closures) out += "," + column_name(closure) + " [N]";
   out += ",static [N],channel_inertial [N],channel_centripetal [N],balloon_inertial [N],balloon_centripetal [N]\n";
   const Motion& motion = dictated_motion(c);
   for (const double t : requested_times(c.solve)) {
     const Motion::State state = motion.at(t);
-    const ClosureForces forces = forces_at(c, t, state);
+    const ClosureForces forces = forces_at(c, closures, t, state);
     append_number(out, t, s);
     const auto column = [&](double value, double factor = 1) {
       out += ',';

@@ -54,15 +54,16 @@ Trajectory<double> integrate(const Case& c, const Member& member, const Progress
 }
 
 /// Every simpler model's dropped terms over the range; for an explicitly chosen model only its own.
-ModelChoice compare_models(const Case& c, const Groups<double>& g, const StretchRange& range) {
-  ModelChoice choice{c.model.value_or(simplest_model(g, range.least, range.greatest, c.auto_tolerance)),
+ModelChoice compare_models(const Case& c, const StretchRange& range) {
+  const Parameters<double>& p = c.parameters;
+  ModelChoice choice{c.model.value_or(simplest_model(p, range.least, range.greatest, c.auto_tolerance)),
                      !c.model,
                      range.least,
                      range.greatest,
                      {}};
   for (const Model model : {Model::orifice, Model::long_channel}) {
-    if (c.model ? *c.model == model : (model == Model::orifice) == (g.b == 0)) {
-      choice.dropped.emplace_back(model, dropped_terms(model, g, range.least, range.greatest));
+    if (c.model ? *c.model == model : (model == Model::orifice) == (p.channel_length == 0)) {
+      choice.dropped.emplace_back(model, dropped_terms(model, p, range.least, range.greatest));
     }
   }
   return choice;
@@ -98,7 +99,7 @@ RunResult run_motion(const Case& c, const Progress& progress) {
   RunResult result;
   Member member = make_member(c, c.model.value_or(Model::full));
   result.trajectory = std::make_unique<Trajectory<double>>(integrate(c, member, progress));
-  result.choice = compare_models(c, member.oscillator.dimensionless_groups(), stretch_range(*result.trajectory));
+  result.choice = compare_models(c, stretch_range(*result.trajectory));
   if (result.choice.model != member.oscillator.model() && is_complete(result.trajectory->outcome)) {
     // The full model has shown which stretches the run visits; the simpler one is good enough there.
     member = make_member(c, result.choice.model);

@@ -115,6 +115,7 @@ class Checks {
 }  // namespace
 
 std::vector<Warning> strained_orifice(const Parameters<double>& p, const StretchRange& range) {
+  if (is_exact(p.closure)) return {};
   const double largest = p.orifice_radius / (p.radius * range.least);
   const double smallest = p.orifice_radius / (p.radius * range.greatest);
   std::vector<Warning> warnings;

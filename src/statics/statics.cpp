@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 namespace turgor {
 
@@ -23,36 +24,58 @@ double root(const Function& f, double lo, double hi) {
   return std::abs(f(bracket.first)) <= std::abs(f(bracket.second)) ? bracket.first : bracket.second;
 }
 
-double upper_end(const Parameters<double>& p) {
-  return std::min(largest_stretch, stretch_limit(p.material) * (1 - 1e-12));
-}
+/// What, besides its units, decides on the shape of the static pressure.
+struct Shape {
+  const Material<double>& material;
+  double kappa;  ///< r_ch/r0; 0 for closures whose area is R^2
+
+  explicit Shape(const Parameters<double>& p)
+      : material(p.material), kappa(is_exact(p.closure) ? kappa_at(p, 1.0) : 0) {}
+
+  /// W'(R)/a(R) and its slope, with the area a that the pressure works on.
+  [[nodiscard]] StaticPressure operator()(double R) const {
+    const Jet<double> w = strain_energy(material, R);
+    double area = R * R;
+    double log_slope = 2 / R;  // a'/a
+    if (kappa > 0) {
+      const ChannelFactors<double> h = channel_factors(kappa / R);
+      area *= h.area;
+      log_slope -= h.area_slope / h.area * kappa / (R * R);
+    }
+    return {w.first / area, (w.second - log_slope * w.first) / area};
+  }
+
+  [[nodiscard]] double least_stretch() const { return std::max(smallest_stretch, kappa / ForceTable::greatest_kappa); }
+  [[nodiscard]] double greatest_stretch() const {
+    const double most = std::min(largest_stretch, stretch_limit(material) * (1 - 1e-12));
+    return kappa > 0 ? std::min(most, kappa / ForceTable::least_kappa) : most;
+  }
+};
 
 }  // namespace
 
 StaticPressure static_pressure(const Parameters<double>& p, double R) {
-  const Jet<double> w = strain_energy(p.material, R);
-  const double factor = p.thickness / (p.radius * R * R);
-  return {factor * w.first, factor * (w.second - 2 * w.first / R)};
+  const StaticPressure tension = Shape(p)(R);
+  const double factor = p.thickness / p.radius;
+  return {factor * tension.value, factor * tension.slope};
 }
 
 namespace {
 
-/// An extremum of W'(R)/R^2, and so of the static pressure.
+/// An extremum of the static pressure.
 struct Extremum {
   double stretch;
   bool maximum;
 };
 
-/// All of a material up to a stretch, found on a geometric grid so fine that only two extrema closer than 0.2 % in R
-/// can be missed. Stretches at which the tension is not finite are left out.
-std::vector<Extremum> find_extrema(const Material<double>& material, double to) {
-  const auto slope = [&](double R) {
-    const Jet<double> w = strain_energy(material, R);
-    return (w.second - 2 * w.first / R) / (R * R);
-  };
+/// All of them, found on a geometric grid so fine that only two extrema closer than 0.2 % in R can be missed. Stretches
+/// at which the tension is not finite are left out.
+std::vector<Extremum> find_extrema(const Shape& shape) {
+  const auto slope = [&](double R) { return shape(R).slope; };
   constexpr double ratio = 1.001;
+  const double to = shape.greatest_stretch();
   std::vector<Extremum> found;
-  double left = smallest_stretch;
+  double left = shape.least_stretch();
   double slope_left = slope(left);
   while (left < to) {
     const double right = std::min(left * ratio, to);
@@ -66,15 +89,15 @@ std::vector<Extremum> find_extrema(const Material<double>& material, double to) 
   return found;
 }
 
-/// The extrema of a balloon's material. Those of the last material are remembered on each thread: the search takes 0.1
-/// ms, and the members of a sweep often share their material. Nothing else has an influence on them.
-const std::vector<Extremum>& extrema(const Parameters<double>& p) {
-  thread_local std::optional<Material<double>> material;
+/// The extrema of a balloon. Those of the last shape are remembered on each thread: the search takes 0.1 ms, and the
+/// members of a sweep often share their material. Nothing else has an influence on them.
+const std::vector<Extremum>& extrema(const Shape& shape) {
+  thread_local std::optional<std::pair<Material<double>, double>> last;
   thread_local std::vector<Extremum> found;
-  if (material != p.material) {
-    material.reset();
-    found = find_extrema(p.material, upper_end(p));
-    material = p.material;
+  if (!last || last->first != shape.material || last->second != shape.kappa) {
+    last.reset();
+    found = find_extrema(shape);
+    last.emplace(shape.material, shape.kappa);
   }
   return found;
 }
@@ -83,16 +106,17 @@ const std::vector<Extremum>& extrema(const Parameters<double>& p) {
 
 std::vector<LimitPoint> limit_points(const Parameters<double>& p) {
   std::vector<LimitPoint> points;
-  for (const auto& [R, maximum] : extrema(p)) {
+  for (const auto& [R, maximum] : extrema(Shape(p))) {
     if (R > 1) points.push_back({R, static_pressure(p, R).value, maximum});
   }
   return points;
 }
 
 std::vector<Equilibrium> equilibria(const Parameters<double>& p, double pressure) {
-  std::vector<double> ends{smallest_stretch};
-  for (const Extremum& extremum : extrema(p)) ends.push_back(extremum.stretch);
-  ends.push_back(upper_end(p));
+  const Shape shape(p);
+  std::vector<double> ends{shape.least_stretch()};
+  for (const Extremum& extremum : extrema(shape)) ends.push_back(extremum.stretch);
+  ends.push_back(shape.greatest_stretch());
 
   // Difference of pressures, squeezed into [-1, 1]: tensions near locking outgrow every number, and the root finder
   // interpolates between numbers.

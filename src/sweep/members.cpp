@@ -15,6 +15,7 @@ std::string reason_of(Outcome outcome) {
     case Outcome::burst: return "the wall bursts at material.max_stretch";
     case Outcome::runaway: return "the balloon runs away: nothing holds it";
     case Outcome::step_failed: return "the step size fell below what the clock resolves";
+    case Outcome::closure_end: return "R left the range of model.closure";
     case Outcome::max_steps: return "more steps than solve.max_steps";
     default: return {};
   }
@@ -88,8 +89,8 @@ std::vector<MemberResult> run_members(std::span<const Case> cases, const MemberQ
       const MemberSummary& summary = summaries[k];
       const Oscillator<double>& oscillator = group.members[k].oscillator;
       if (!c.model && oscillator.model() == Model::full && is_complete(summary.outcome)) {
-        const Model model = simplest_model(oscillator.dimensionless_groups(), summary.least_stretch,
-                                           summary.greatest_stretch, c.auto_tolerance);
+        const Model model =
+            simplest_model(oscillator.parameters(), summary.least_stretch, summary.greatest_stretch, c.auto_tolerance);
         if (model != Model::full) {
           again.add(c, model, group.places[k]);
           continue;

@@ -16,9 +16,9 @@ namespace turgor {
 
 namespace {
 
-constexpr std::array<Outcome, 7> outcomes{Outcome::reached_end, Outcome::at_rest, Outcome::max_events,
-                                          Outcome::burst,       Outcome::runaway, Outcome::step_failed,
-                                          Outcome::max_steps};
+constexpr std::array<Outcome, 8> outcomes{Outcome::reached_end, Outcome::at_rest,    Outcome::max_events,
+                                          Outcome::burst,       Outcome::runaway,    Outcome::step_failed,
+                                          Outcome::max_steps,   Outcome::closure_end};
 constexpr std::array<Model, 3> models{Model::full, Model::orifice, Model::long_channel};
 
 /// Rows that are written at once: enough that a call to the library costs nothing beside them.

@@ -18,7 +18,8 @@ struct Style {
   const char* colour;
   const char* dashes;
 };
-constexpr std::array closure_styles{Style{green, "'_. '"}, Style{orange, "'-'"}, Style{vermilion, "1"}};
+constexpr std::array closure_styles{Style{green, "'_. '"}, Style{orange, "'-'"}, Style{vermilion, "1"},
+                                    Style{"black", "'. '"}};
 
 /// value(t, state) along the motion, in the given unit of time; where it jumps it has both values.
 template <class Value>
@@ -84,14 +85,13 @@ Plot force_plot(const Case& c, double s, double m, const ForceUnit& unit) {
   Plot plot;
   plot.add("radius", curve_of(c, s, [&](double, const Motion::State& state) { return state.radius / m; }),
            "lines axes x1y2 lw 2 lc rgb '" + std::string(blue) + "' dt '. ' title 'r'");
-  for (std::size_t i = 0; i < all_closures.size(); ++i) {
-    const std::string name(name_of(all_closures.at(i)));
-    const Style& style = closure_styles.at(i % closure_styles.size());
-    plot.add(
-        name,
-        curve_of(c, s,
-                 [&](double t, const Motion::State& state) { return forces_at(c, t, state).all.at(i) / unit.newtons; }),
-        line_style(style.colour, name, style.dashes));
+  for (const Closure closure : compared_closures(c)) {
+    const std::string name(name_of(closure));
+    const Style& style = closure_styles.at(static_cast<std::size_t>(closure));
+    const auto force = [&](double t, const Motion::State& state) {
+      return forces_at(c, {closure}, t, state).all.front() / unit.newtons;
+    };
+    plot.add(name, curve_of(c, s, force), line_style(style.colour, name, style.dashes));
   }
   return plot;
 }

@@ -201,6 +201,16 @@ const std::vector<Mistake> mistakes{
     {"ValueForTable", "[initial]\nstretch = 1.0", "[model]\n", {"case.toml"}},
     {"DateForQuantity", "\"30 cm\"", "2026-01-01", {"a date or time"}},
     {"UnknownModel", "name = \"orifice\"", "name = \"orifise\"", {"case.toml:21", "unknown name", "\"long-channel\""}},
+    {"OrificeTooWideForThePotentialClosure",
+     "\"3 cm\"\nchannel_length = \"0 cm\"\n[pressure]\nsegments = [ { to = \"36 kPa\", over = \"2 s\", shape = "
+     "\"smooth\" }, "
+     "{ hold = \"2 s\" } ]\n[initial]\nstretch = 1.0\n[model]\nname = \"orifice\"",
+     "\"24 cm\"\n[pressure]\nconstant = \"1 kPa\"\n[model]\nclosure = \"potential\"",
+     {"case.toml:14", "inlet.orifice_radius", "\"potential\"", "0.225 m"}},
+    {"StartBeyondThePotentialClosure",
+     "stretch = 1.0\n[model]\n",
+     "stretch = 0.13\n[model]\nclosure = \"potential\"\n",
+     {"case.toml:19", "initial.stretch", "beyond the range of model.closure", "0.13333333"}},
     {"UnknownClosure",
      "name = \"orifice\"",
      "name = \"orifice\"\nclosure = \"exact\"",

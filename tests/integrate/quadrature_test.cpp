@@ -11,12 +11,14 @@
 #include <random>
 
 #include "../support/balloons.hpp"
+#include "../support/same_motion.hpp"
 #include "turgor/base/errors.hpp"
 #include "turgor/statics/statics.hpp"
 
 namespace turgor {
 namespace {
 
+using test::expect_same;
 using test::paper_balloon;
 using test::si_scales;
 
@@ -196,7 +198,8 @@ RandomCase random_case(Model model, std::size_t material, Draw& draw) {
   p.fluid_viscosity = 1e-3L;
   p.orifice_radius = p.radius * static_cast<Real>(draw.log_between(1.0 / 40, 1.0 / 5));
   p.channel_length = model == Model::orifice ? 0 : p.orifice_radius * static_cast<Real>(draw.log_between(0.3, 30));
-  p.closure = draw.between(0, 1) < 0.5 ? Closure::theoretical : Closure::corrected;
+  constexpr std::array closures{Closure::theoretical, Closure::corrected, Closure::potential};
+  p.closure = closures.at(static_cast<std::size_t>(draw.between(0, 3)));
   p.material = random_material(material, draw);
   const Real stiffness = p.thickness * strain_energy(p.material, Real(1)).second / p.radius;
   Scales<Real> scales{p.radius, stiffness, 1};
@@ -314,36 +317,6 @@ TEST(Quadrature, TakesOnlyPiecewiseConstantPressure) {
   EXPECT_THROW(
       (void)simulate_by_quadrature(paper_oscillator(Model::orifice, constant_pressure(0.0)), 0.0, -1.0, 0.0, 1.0, {}),
       InvalidInput);
-}
-
-/// Runs both methods and compares everything that does not depend on where steps end. In long double, because events of
-/// small amplitude are worth less in stepped solutions than 1e-9.
-void expect_same(const Oscillator<long double>& oscillator, long double R, long double v, long double end,
-                 SimulationOptions<long double> options, Outcome outcome) {
-  options.rtol = options.atol = 1e-15L;
-  const auto stepped = simulate<long double>(oscillator, 0, R, v, end, options);
-  const auto exact = simulate_by_quadrature<long double>(oscillator, 0, R, v, end, options);
-  const auto near = [](long double found, long double expected) {
-    EXPECT_NEAR(static_cast<double>(found), static_cast<double>(expected), 1e-9);
-  };
-  EXPECT_EQ(exact.outcome, outcome) << exact.message;
-  EXPECT_EQ(stepped.outcome, outcome) << stepped.message;
-  ASSERT_EQ(exact.events.size(), stepped.events.size());
-  for (std::size_t i = 0; i < exact.events.size(); ++i) {
-    near(exact.events[i].time, stepped.events[i].time);
-    near(exact.events[i].stretch, stepped.events[i].stretch);
-    EXPECT_EQ(exact.events[i].before, stepped.events[i].before);
-    EXPECT_EQ(exact.events[i].after, stepped.events[i].after);
-  }
-  EXPECT_EQ(exact.last.regime, stepped.last.regime);
-  if (outcome == Outcome::interrupted || outcome == Outcome::runaway) return;
-  near(exact.last.time, stepped.last.time);
-  near(exact.last.stretch, stepped.last.stretch);
-  near(exact.last.rate, stepped.last.rate);
-  for (int i = 0; i <= 50; ++i) {
-    const long double t = stepped.last.time * i / 50;
-    near(exact.at(t).stretch, stepped.at(t).stretch);
-  }
 }
 
 class StartsAndStops : public testing::TestWithParam<Model> {

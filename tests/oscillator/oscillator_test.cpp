@@ -4,7 +4,7 @@
 
 #include "../support/balloons.hpp"
 #include "../support/reference.hpp"
-#include "turgor/integrate/oscillator_flow.hpp"
+#include "turgor/integrate/exact_flow.hpp"
 #include "turgor/statics/statics.hpp"
 
 namespace turgor {
@@ -85,12 +85,18 @@ TEST(TimeConstants, EachRegimeHasItsOwnClock) {
 struct Variant {
   Model model;
   Regime regime;
+  Closure closure = Closure::corrected;
 };
 
 class EveryOscillator : public testing::TestWithParam<Variant> {
  protected:
-  Parameters<double> p = paper_balloon<double>(0.02, GetParam().model == Model::orifice ? 0.0 : 0.4);
+  Parameters<double> p = test::with_closure(
+      paper_balloon<double>(is_exact(GetParam().closure) ? 0.15 : 0.02, GetParam().model == Model::orifice ? 0.0 : 0.4),
+      GetParam().closure);
   Oscillator<double> oscillator{GetParam().model, p, test::up_hold_down(36e3, 2.0, 4.0, 6.0), {p.radius, 6000.0, 0.3}};
+
+  template <class Flow>
+  void expect_linearized(const Flow& flow) const;
 };
 
 // Central differences in long steps; the bound is their O(h^2) with third derivatives of the size of the function.
@@ -115,9 +121,18 @@ TEST_P(EveryOscillator, CoefficientSlopesAreDerivatives) {
 TEST_P(EveryOscillator, LinearizationIsTheDerivativeOfTheRate) {
   const SmoothPressure<double>& pressure = oscillator.pressure().after(0);
   using Solid = MooneyRivlin<double>;
-  using State = OscillatorFlow<double, Solid>::State;
   const auto numbers = flow_numbers(oscillator, pressure, GetParam().regime);
-  const OscillatorFlow<double, Solid> flow(numbers, std::get<Solid>(oscillator.parameters().material), true);
+  const Material<double>& material = oscillator.parameters().material;
+  if (is_exact(GetParam().closure)) {
+    expect_linearized(ExactFlow<double>(numbers, material, *oscillator.force_table(), true));
+  } else {
+    expect_linearized(OscillatorFlow<double, Solid>(numbers, std::get<Solid>(material), true));
+  }
+}
+
+template <class Flow>
+void EveryOscillator::expect_linearized(const Flow& flow) const {
+  using State = typename Flow::State;
   const double t = 3.1;
   const State y{1.2, 0.3 * static_cast<int>(GetParam().regime)};
   const auto at = flow.linearize(t, y);
@@ -144,22 +159,78 @@ INSTANTIATE_TEST_SUITE_P(
     Models, EveryOscillator,
     testing::Values(Variant{Model::full, Regime::inflating}, Variant{Model::full, Regime::deflating},
                     Variant{Model::orifice, Regime::inflating}, Variant{Model::orifice, Regime::deflating},
-                    Variant{Model::long_channel, Regime::inflating}, Variant{Model::long_channel, Regime::deflating}),
+                    Variant{Model::long_channel, Regime::inflating}, Variant{Model::long_channel, Regime::deflating},
+                    Variant{Model::full, Regime::inflating, Closure::potential},
+                    Variant{Model::full, Regime::deflating, Closure::potential},
+                    Variant{Model::orifice, Regime::inflating, Closure::potential},
+                    Variant{Model::orifice, Regime::deflating, Closure::profile},
+                    Variant{Model::long_channel, Regime::inflating, Closure::profile},
+                    Variant{Model::long_channel, Regime::deflating, Closure::potential}),
     [](const auto& test) {
       std::string name(name_of(test.param.model));
       std::replace(name.begin(), name.end(), '-', '_');
-      return name + (test.param.regime == Regime::inflating ? "_inflating" : "_deflating");
+      return name + "_" + std::string(name_of(test.param.closure)) +
+             (test.param.regime == Regime::inflating ? "_inflating" : "_deflating");
     });
 
 TEST(Scales, NaturalOnesAreTheDeflationClockAtRestAndTheGreatestPressure) {
-  const auto p = paper_balloon<double>(0.03, 0.5);
-  const auto program = test::up_hold_down(36e3, 2.0, 4.0, 6.0);
-  const auto scales = natural_scales(p, program, 10.0);
-  EXPECT_DOUBLE_EQ(scales.pressure, 36e3);
-  const Oscillator<double> oscillator(Model::full, p, program, scales);
-  const auto c = oscillator.coefficients(Regime::deflating, 1.0);
-  EXPECT_NEAR(c.elastic_slope / c.mass, 1.0, 1e-12);  // omega t_typ = 1
-  EXPECT_GT(natural_scales(p, constant_pressure(0.0), 10.0).pressure, 0);
+  for (const Closure closure : {Closure::corrected, Closure::potential}) {
+    const auto p = test::with_closure(paper_balloon<double>(0.1, 0.5), closure);
+    const auto program = test::up_hold_down(36e3, 2.0, 4.0, 6.0);
+    const auto scales = natural_scales(p, program, 10.0);
+    EXPECT_DOUBLE_EQ(scales.pressure, 36e3);
+    const Oscillator<double> oscillator(Model::full, p, program, scales);
+    const auto c = oscillator.coefficients(Regime::deflating, 1.0);
+    EXPECT_NEAR(c.elastic_slope / c.mass, 1.0, 1e-12);  // omega t_typ = 1
+    EXPECT_GT(natural_scales(p, constant_pressure(0.0), 10.0).pressure, 0);
+  }
+}
+
+// M, Q and a by hand for each model: the terms of (2.22), (2.23) and (2.25), each with its factor, none of them twice.
+TEST(ExactClosure, PutsAFactorOnEachTermOfEveryModel) {
+  for (const Model model : {Model::full, Model::orifice, Model::long_channel}) {
+    const bool channel = model != Model::orifice;
+    const auto p = test::with_closure(paper_balloon<double>(0.15, channel ? 0.4 : 0.0), Closure::potential);
+    const Oscillator<double> oscillator(model, p, constant_pressure(0.0), si_scales(p));
+    const double R = 1.7;
+    const auto h = channel_factors(0.5 / R);
+    const auto l = ForceTable::uniform().at(0.5 / R);
+    const double K = 0.15 / (2 * 1000 * 0.027);
+    const double a0 = 0.15 * 0.003 / 0.09;
+    const double b4 = 2 * 0.4 / 0.15 * h.inertial * std::pow(R, 4);
+    const double m4 = 2 * l.inertial * std::pow(R, 4);
+    const double b3 = -2 * 2 * 0.4 / 0.15 * h.centripetal * std::pow(R, 3);
+    const double n6 = 4 * 8 * l.centripetal * std::pow(R, 6);
+    const auto in = oscillator.coefficients(Regime::inflating, R);
+    const auto out = oscillator.coefficients(Regime::deflating, R);
+    const bool full = model == Model::full;
+    const auto near = [&](double found, double expected) {
+      EXPECT_NEAR(found * K, expected, 1e-13 * std::abs(expected)) << name_of(model);
+    };
+    near(in.mass, (model == Model::long_channel ? 0 : a0) + (channel ? b4 : 0));
+    near(out.mass, (full ? a0 : 0) + (channel ? b4 : 0) + (model == Model::long_channel ? 0 : m4));
+    near(in.centripetal, channel ? b3 : 0);
+    near(out.centripetal, n6 + (full ? b3 : 0));
+    for (const auto& c : {in, out}) EXPECT_DOUBLE_EQ(c.area, h.area * R * R);
+    EXPECT_DOUBLE_EQ(oscillator.area(R), in.area);
+    EXPECT_EQ(oscillator.conserves_energy(Regime::inflating), !channel);
+    EXPECT_FALSE(oscillator.conserves_energy(Regime::deflating));
+  }
+}
+
+// Inflating, K (M'/2 + Q) = b R^3 eps (1+rho)^3/(16 rho^3): docs/theory.md, section 2.4.
+TEST(ExactClosure, GainsALittleEnergyWhileInflatingThroughAChannel) {
+  const auto p = test::with_closure(paper_balloon<double>(0.15, 0.4), Closure::potential);
+  const Oscillator<double> oscillator(Model::full, p, constant_pressure(0.0), si_scales(p));
+  const auto& g = oscillator.dimensionless_groups();
+  for (const double R : {0.8, 1.0, 3.0, 40.0}) {
+    const auto c = oscillator.coefficients(Regime::inflating, R);
+    const double rho = std::sqrt(1 - 0.25 / (R * R));
+    const double eps = 0.25 / (R * R) / (1 + rho);
+    const double gain = g.b * std::pow(R, 3) * eps * std::pow((1 + rho) / rho, 3) / 16;
+    // a difference of two terms of size |Q|
+    EXPECT_NEAR(g.K * (c.mass_slope / 2 + c.centripetal), gain, 1e-14 * g.K * std::abs(c.centripetal)) << R;
+  }
 }
 
 }  // namespace

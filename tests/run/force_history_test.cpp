@@ -17,7 +17,7 @@ Case motion_case(const std::vector<std::string>& overrides = {}, const std::stri
   return read_case(std::filesystem::path(TURGOR_CASES) / (name + ".toml"), overrides);
 }
 
-ClosureForces forces(const Case& c, double t) { return forces_at(c, t, c.motion->at(t)); }
+ClosureForces forces(const Case& c, double t) { return forces_at(c, compared_closures(c), t, c.motion->at(t)); }
 
 /// (2.12) and (2.15) as the paper writes them, for the 3 cm orifice without a channel.
 double papers_force(bool is_corrected, double r, double rate, double acceleration) {
@@ -65,8 +65,12 @@ TEST(ForceHistory, InflationWithoutAChannelHasNoForce) {
 TEST(ForceHistory, AtRestOnlyThePressureRemains) {
   const Case c = motion_case({"motion.inlet_pressure=3 kPa"}, "motion-channel-30mm");
   const double pi = std::numbers::pi;
-  for (const double force : forces(c, 2.2).all) EXPECT_NEAR(force, 4 * pi * 0.33 * 0.33 * 3000, 1e-9);
-  for (const double force : forces(c, 4.7).all) EXPECT_NEAR(force, 4 * pi * 0.3 * 0.3 * 3000, 1e-9);
+  for (const auto& [time, r] : {std::pair{2.2, 0.33}, {4.7, 0.3}}) {
+    const auto all = forces(c, time).all;
+    EXPECT_NEAR(all.at(theoretical), 4 * pi * r * r * 3000, 1e-9);
+    EXPECT_NEAR(all.at(corrected), 4 * pi * r * r * 3000, 1e-9);
+    EXPECT_NEAR(all.at(2), 2 * pi * r * (r + std::sqrt(r * r - 0.03 * 0.03)) * 3000, 1e-9);  // g1 r^2 p
+  }
   const Case still = motion_case({"motion.velocity=[{ hold = \"2 s\" }]"});
   for (const ForceSummary& of : force_history(still).closures) {
     EXPECT_EQ(of.peak.force, 0);
@@ -113,7 +117,7 @@ TEST(ForceHistory, ScalesWithTheSpeed) {
   };
   const ForceHistory fast = force_history(motion_case({way("2", "1")}, "motion-channel-30mm"));
   const ForceHistory slow = force_history(motion_case({way("1", "2")}, "motion-channel-30mm"));
-  for (std::size_t i = 0; i < all_closures.size(); ++i) {
+  for (std::size_t i = 0; i < fast.closures.size(); ++i) {
     const double peak = fast.closures[i].peak.force;
     EXPECT_NEAR(slow.closures[i].peak.force, peak / 4, 1e-12 * std::abs(peak));
     EXPECT_NEAR(slow.closures[i].work, fast.closures[i].work / 4, 1e-12 * std::abs(fast.closures[i].work));
@@ -126,7 +130,7 @@ TEST(ForceHistory, ScalesWithTheSpeed) {
 // trapezoidal sum is good to 1e-9.
 TEST(ForceHistory, WorkOnAClosedWayIsWhatTheOscillatorDissipates) {
   for (const std::string name : {"motion-orifice-30mm", "motion-channel-20mm"}) {
-    for (std::size_t i = 0; i < all_closures.size(); ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
       const Case c = motion_case({"model.closure=" + std::string(name_of(all_closures.at(i)))}, name);
       const Scales<double> si{c.parameters.radius, 1, 1};
       const Oscillator<double> oscillator(Model::full, c.parameters, c.pressure, si);
@@ -150,7 +154,7 @@ TEST(ForceHistory, PeaksAndImpulseAreThoseOfTheMotion) {
   for (const std::string name : {"motion-orifice-20mm", "motion-channel-30mm", "motion-channel-5mm"}) {
     const Case c = motion_case({}, name);
     const ForceHistory history = force_history(c);
-    for (std::size_t i = 0; i < all_closures.size(); ++i) {
+    for (std::size_t i = 0; i < history.closures.size(); ++i) {
       constexpr int n = 40000;
       double greatest = 0;
       double impulse = 0;

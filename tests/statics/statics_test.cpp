@@ -102,6 +102,63 @@ TEST(Statics, LockingMaterialsHaveNoSpuriousEquilibria) {
   }
 }
 
+// Rest is where the oscillator feels no force, with the area that the pressure works on, and stable where the force
+// points back.
+TEST(Statics, ExactClosureRestsWhereTheForceChangesSign) {
+  const auto p = test::with_closure(test::paper_balloon<double>(0.15, 0.4), Closure::potential);
+  const double pressure = 45e3;
+  const Oscillator<double> oscillator(Model::full, p, constant_pressure(pressure), test::si_scales(p));
+  const auto states = equilibria(p, pressure);
+  ASSERT_EQ(states.size(), 3U);
+  for (const auto& state : states) {
+    EXPECT_GT(oscillator.force_at_rest(state.stretch * (state.stable ? 1 - 1e-9 : 1 + 1e-9), pressure), 0);
+    EXPECT_LT(oscillator.force_at_rest(state.stretch * (state.stable ? 1 + 1e-9 : 1 - 1e-9), pressure), 0);
+  }
+  const auto fitted = equilibria(test::paper_balloon<double>(0.15, 0.4), 44e3);
+  EXPECT_GT(std::abs(fitted.front().stretch - equilibria(p, 44e3).front().stretch), 1e-3);
+
+  for (const double R : {0.7, 1.0, 1.3, 4.0}) {
+    EXPECT_NEAR(static_pressure(p, R).value, oscillator.coefficients(Regime::inflating, R).elastic / oscillator.area(R),
+                1e-11 * 45e3);
+    const double h = 1e-5;
+    const double slope = (static_pressure(p, R + h).value - static_pressure(p, R - h).value) / (2 * h);
+    EXPECT_NEAR(static_pressure(p, R).slope, slope, 1e-7 * (std::abs(slope) + 45e3));  // O(h^2)
+  }
+  for (const auto& point : limit_points(p)) {
+    EXPECT_NEAR(static_pressure(p, point.stretch).slope, 0, 1e-8 * point.pressure);
+    const auto lower = static_pressure(p, point.stretch - 1e-3).value;
+    EXPECT_EQ(lower < point.pressure, point.maximum);
+  }
+  EXPECT_EQ(limit_points(p).size(), 2U);
+}
+
+// One balloon after another of the same material: what is remembered of the last must not serve the next.
+TEST(Statics, LimitPointsDependOnTheOrificeOfAnExactClosure) {
+  const auto first = [](double orifice_radius, Closure closure) {
+    const auto p = test::with_closure(test::paper_balloon<double>(orifice_radius, 0.0), closure);
+    const LimitPoint point = limit_points(p).front();
+    EXPECT_NEAR(static_pressure(p, point.stretch).slope, 0, 1e-8 * point.pressure);
+    return point;
+  };
+  const auto fitted = first(0.15, Closure::corrected);
+  const auto wide = first(0.15, Closure::potential);
+  const auto narrow = first(0.003, Closure::potential);
+  EXPECT_EQ(first(0.003, Closure::corrected).stretch, fitted.stretch);
+  EXPECT_GT(wide.pressure, narrow.pressure);
+  EXPECT_GT(narrow.pressure, fitted.pressure);
+  EXPECT_NEAR(narrow.pressure / fitted.pressure, 1, 1e-4);  // eps/2
+}
+
+// r_ch/r <= 0.75: a balloon that would have to shrink below has no equilibrium.
+TEST(Statics, ExactClosureHasNoEquilibriaBeyondItsRange) {
+  const auto p = test::with_closure(test::paper_balloon<double>(0.21, 0.0), Closure::potential);
+  const double least = closure_limits(p).least;
+  EXPECT_NEAR(least, 0.7 / 0.75, 1e-15);
+  const double pressure = static_pressure(p, least).value;
+  EXPECT_EQ(equilibria(p, 0.99 * pressure).size(), 1U);
+  EXPECT_TRUE(equilibria(p, 1.01 * pressure).empty());
+}
+
 TEST(Statics, CompressedBalloonHoldsNegativePressure) {
   const auto states = equilibria(balloon_with(10, 1), -3.0);
   ASSERT_EQ(states.size(), 1U);

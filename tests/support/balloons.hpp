@@ -13,6 +13,14 @@ template <class T = double>
           Closure::corrected};
 }
 
+/// The same with a closure; `profile` gets a table of its own.
+template <class T>
+[[nodiscard]] Parameters<T> with_closure(Parameters<T> p, Closure closure) {
+  p.closure = closure;
+  if (closure == Closure::profile) p.outflow = std::make_shared<const ForceTable>(ForceTable::uniform());
+  return p;
+}
+
 /// p_typ = 1 Pa, t_typ = 1 s.
 template <class T>
 [[nodiscard]] Scales<T> si_scales(const Parameters<T>& p) {

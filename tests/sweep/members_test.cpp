@@ -73,6 +73,7 @@ TEST(CaseTemplate, GivesTheCaseThatSetGives) {
       {"orifice-10mm", "solve.max_events", {std::int64_t{3}, "", 0}, "3"},
       {"orifice-10mm", "model.name", {std::string("auto"), "", 0}, "auto"},
       {"orifice-10mm", "model.closure", {std::string("theoretical"), "", 0}, "theoretical"},
+      {"orifice-10mm", "model.closure", {std::string("potential"), "", 0}, "potential"},
       {"orifice-10mm", "initial.stretch", {std::string("equilibrium"), "", 0}, "equilibrium"},
       {"orifice-10mm", "initial.stretch_rate", quantity(odd, "1/s"), shortest(odd) + " 1/s"},
       {"channel-30mm", "inlet.channel_length", quantity(odd, "m"), shortest(odd) + " m"},
@@ -138,6 +139,27 @@ TEST(Chunk, AnInvalidMemberStopsNoOther) {
   ASSERT_GE(run.trajectory->events.size(), 1U);
   EXPECT_NEAR(chunk.row(2)[5], run.trajectory->events[0].time * clock, 1e-3);
   EXPECT_NEAR(chunk.row(2)[7], run.trajectory->events[0].stretch, 1e-5);
+}
+
+// Members with and without a table share a chunk, and fail by themselves. Axes go by name, the last one fastest.
+TEST(Chunk, SweepsTheClosure) {
+  const Case c = with_sweep(
+      R"({ quantities = ["final_stretch"], axes = { "model.closure" = { values = ["corrected", "potential"] }, "inlet.orifice_radius" = { values = ["2 cm", "24 cm"] } } })");
+  const ChunkResult chunk = ChunkRunner(c, SweepPlan(*c.sweep)).run(0);
+  ASSERT_EQ(chunk.size(), 4U);
+  for (const std::size_t i : {0U, 1U, 2U}) EXPECT_EQ(chunk.row(i)[0], static_cast<double>(Outcome::reached_end));
+  EXPECT_EQ(chunk.row(3)[0], invalid_member);
+  ASSERT_EQ(chunk.messages.size(), 1U);
+  EXPECT_NE(chunk.messages.front().find("beyond the range of model.closure"), std::string::npos);
+  const auto alone = [](const char* closure) {
+    return *run_case(
+                read_case(shipped("orifice-10mm"), {"inlet.orifice_radius=2 cm", "solve.t_end=3 s", "solve.rtol=1e-11",
+                                                    "solve.atol=1e-11", std::string("model.closure=") + closure}))
+                .quantity("final_stretch");
+  };
+  EXPECT_NEAR(chunk.row(0)[3], alone("corrected"), 1e-5);
+  EXPECT_NEAR(chunk.row(1)[3], alone("potential"), 1e-5);
+  EXPECT_GT(std::abs(alone("corrected") - alone("potential")), 1e-4);
 }
 
 TEST(Chunk, SurvivesItsBytes) {

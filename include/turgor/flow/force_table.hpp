@@ -67,7 +67,7 @@ class ForceTable {
     Piece piece;
   };
   OutflowProfile profile_;
-  std::unique_ptr<std::array<Slot, pieces>> slots_;
+  std::shared_ptr<std::array<Slot, pieces>> slots_;  ///< shared with copies
 };
 
 template <class T>

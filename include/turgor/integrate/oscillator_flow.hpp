@@ -53,7 +53,16 @@ template <class T>
   return {oscillator.inertia(regime), oscillator.elastic_factor(), forcing(pressure)};
 }
 
-/// y = (R, dR/dT); refers to the numbers and the material it is made from.
+/// Of the Jacobian of a system y = (R, dR/dT), but for a factor of at most sqrt 2 where it oscillates.
+template <class V>
+[[nodiscard]] V spectral_radius(const Eigen::Matrix<V, 2, 2>& jacobian) {
+  using std::abs;
+  using std::sqrt;
+  const V half = V(ScalarOf<V>(0.5)) * jacobian(1, 1);
+  return abs(half) + sqrt(abs(half * half + jacobian(1, 0)));
+}
+
+/// y = (R, dR/dT) with the closure's constants; refers to the numbers and the material it is made from.
 template <class V, class Solid>
 class OscillatorFlow {
  public:
@@ -105,13 +114,7 @@ class OscillatorFlow {
   }
 
   /// Spectral radius of the Jacobian.
-  [[nodiscard]] V stiffness(const V& t, const State& y) const {
-    using std::abs;
-    using std::sqrt;
-    const auto jacobian = linearize(t, y).jacobian;
-    const V half = V(ScalarOf<V>(0.5)) * jacobian(1, 1);
-    return abs(half) + sqrt(abs(half * half + jacobian(1, 0)));
-  }
+  [[nodiscard]] V stiffness(const V& t, const State& y) const { return spectral_radius<V>(linearize(t, y).jacobian); }
 
  private:
   const FlowNumbers<V>& numbers_;

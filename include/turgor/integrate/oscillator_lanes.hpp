@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "turgor/integrate/exact_flow.hpp"
 #include "turgor/integrate/hybrid.hpp"
 #include "turgor/integrate/oscillator_flow.hpp"
 #include "turgor/integrate/simulate.hpp"
@@ -48,8 +49,9 @@ class OscillatorLanes {
   using State = Eigen::Matrix<V, 2, 1>;  // (R, dR/dT)
 
   /// @param material  of all lanes; their constants may differ
-  OscillatorLanes(const Material<V>& material, StepMethod method, Observer& observer)
-      : integrator_(*this, method), observer_(observer), material_(material) {}
+  /// @param table     of all lanes' closures: Oscillator::force_table()
+  OscillatorLanes(const Material<V>& material, const ForceTable* table, StepMethod method, Observer& observer)
+      : integrator_(*this, method), observer_(observer), material_(material), table_(table) {}
 
   /// Puts a balloon into a lane. It starts at once, or stays at rest to its end, in which case it is finished already.
   void load(int l, const Oscillator<T>& oscillator, const T& start, const T& stretch, const T& rate, const T& end,
@@ -77,8 +79,17 @@ class OscillatorLanes {
 
   /// P(T) in every lane.
   [[nodiscard]] V pressure(const V& time) const { return numbers_.forcing.value(time, harmonic_); }
-  /// -(M'/2 + Q) v^3: what the outflow carries off; vanishes during inflation.
+  /// a(R) in every lane.
+  [[nodiscard]] V area(const V& R) const {
+    const V square = R * R;
+    return table_ == nullptr ? square : channel_factors(V(numbers_.inertia.kappa / R)).area * square;
+  }
+  /// -(M'/2 + Q) v^3: what the outflow carries off; with the fits it vanishes during inflation.
   [[nodiscard]] V dissipation_rate(const V& R, const V& v) const {
+    if (table_ != nullptr) {
+      const FlowCoefficients<V> c = numbers_.inertia.exact(*table_, R);
+      return -(V(T(0.5)) * c.mass_slope + c.centripetal) * v * v * v;
+    }
     const V r3 = R * R * R;
     return -(V(T(0.5)) * numbers_.inertia.mass_slope(r3) + numbers_.inertia.centripetal(r3)) * v * v * v;
   }
@@ -89,7 +100,8 @@ class OscillatorLanes {
   [[nodiscard]] Energies energies() const {
     const V& R = integrator_.component(0);
     const V& v = integrator_.component(1);
-    Energies now{V(T(0.5)) * numbers_.inertia.mass(R * R * R, R) * v * v, V(0)};
+    const V mass = table_ == nullptr ? numbers_.inertia.mass(R * R * R, R) : numbers_.inertia.exact(*table_, R).mass;
+    Energies now{V(T(0.5)) * mass * v * v, V(0)};
     std::visit([&](const auto& solid) { now.elastic = numbers_.elastic_factor * solid.energy(R).value; }, material_);
     return now;
   }
@@ -115,6 +127,10 @@ class OscillatorLanes {
 
   template <class Action>
   void with_flow(const Action& action) const {
+    if (table_ != nullptr) {
+      action(ExactFlow<V>(numbers_, material_, *table_, harmonic_));
+      return;
+    }
     std::visit(
         [&](const auto& solid) {
           action(OscillatorFlow<V, std::remove_cvref_t<decltype(solid)>>(numbers_, solid, harmonic_));
@@ -148,7 +164,8 @@ class OscillatorLanes {
   }
   void on_target(Integrator& /*lanes*/, int l) { go_on(l); }
   void on_stall(Integrator& /*lanes*/, int l) {
-    fail(l, Outcome::step_failed, "the step size fell below what the clock resolves");
+    const Standstill why = standstill(*balloon(l).oscillator, integrator_.component(l, 0));
+    fail(l, why.outcome, why.text);
   }
   void on_method_due(Integrator& /*lanes*/, int l) {
     leaving_ |= 1U << l;
@@ -296,6 +313,7 @@ class OscillatorLanes {
   Integrator integrator_;
   Observer& observer_;
   Material<V> material_;
+  const ForceTable* table_;
   FlowNumbers<V> numbers_{};
   bool harmonic_ = false;  ///< some lane's pressure has a sine
   bool may_burst_ = false;

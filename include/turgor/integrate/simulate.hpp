@@ -31,8 +31,8 @@ struct SimulationOptions {
 /// and never slides; nor does it come to rest in finite time (docs/theory.md, section 2.4).
 ///
 /// Never throws for trouble on the way: the outcome says what happened and everything up to there is kept.
-/// @throws InvalidInput when the start is not finite, R is not positive or the wall has no finite tension there, or
-/// end_time <= start_time
+/// @throws InvalidInput when the start is not finite, R is not positive, the wall has no finite tension or the closure
+/// does not hold there, or end_time <= start_time
 template <class T>
 [[nodiscard]] Trajectory<T> simulate(const Oscillator<T>& oscillator, const T& start_time, const T& stretch,
                                      const T& rate, const T& end_time, const SimulationOptions<T>& options);
@@ -53,6 +53,14 @@ template <class T>
 [[nodiscard]] bool is_settled(const Oscillator<T>& oscillator, const SmoothPressure<T>& pressure, const T& time,
                               const T& stretch, const T& rest_tol);
 
+/// Why the solution cannot be followed beyond stretch R: the closure's table ends there, or nobody knows.
+struct Standstill {
+  Outcome outcome;
+  std::string text;
+};
+template <class T>
+[[nodiscard]] Standstill standstill(const Oscillator<T>& oscillator, const T& stretch);
+
 /// " (at t = ... s, R = ..., dR/dt = ... 1/s)", for messages.
 template <class T>
 [[nodiscard]] std::string whereabouts(const Oscillator<T>& oscillator, const Point<T>& at);
@@ -71,6 +79,8 @@ extern template bool is_settled(const Oscillator<double>&, const SmoothPressure<
                                 const double&);
 extern template bool is_settled(const Oscillator<long double>&, const SmoothPressure<long double>&, const long double&,
                                 const long double&, const long double&);
+extern template Standstill standstill(const Oscillator<double>&, const double&);
+extern template Standstill standstill(const Oscillator<long double>&, const long double&);
 extern template std::string whereabouts(const Oscillator<double>&, const Point<double>&);
 extern template std::string whereabouts(const Oscillator<long double>&, const Point<long double>&);
 extern template void check_start(const Oscillator<double>&, const double&, const double&, const double&, const double&,

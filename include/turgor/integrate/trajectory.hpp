@@ -22,6 +22,7 @@ enum class Outcome {
   step_failed,  ///< the step size fell below what the clock resolves
   max_steps,    ///< more steps than allowed
   interrupted,  ///< asked to stop from outside
+  closure_end,  ///< reached a stretch beyond which an exact closure is not known
 };
 
 /// "reached-end", "at-rest", ...

@@ -17,12 +17,12 @@ struct DroppedTerm {
 /// Every term of (2.22) that `model` drops, compared with the kept term of the same kind and regime over
 /// [least, greatest] stretch. Where no term of that kind is kept (centripetal, inflating without a channel) it is
 /// compared with the inertia, rates of order one as in section 2.4.1. Empty for the full model; terms that are zero are
-/// left out.
-[[nodiscard]] std::vector<DroppedTerm> dropped_terms(Model model, const Groups<double>& groups, double least,
+/// left out. With an exact closure the range must lie within closure_limits().
+[[nodiscard]] std::vector<DroppedTerm> dropped_terms(Model model, const Parameters<double>& p, double least,
                                                      double greatest);
 
 /// Simplest of the three models all of whose dropped terms are below `tolerance` over the range of stretches; the full
 /// one if neither of the others is. (2.23) is considered only without a channel: it has no place for one.
-[[nodiscard]] Model simplest_model(const Groups<double>& groups, double least, double greatest, double tolerance);
+[[nodiscard]] Model simplest_model(const Parameters<double>& p, double least, double greatest, double tolerance);
 
 }  // namespace turgor

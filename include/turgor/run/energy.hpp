@@ -3,7 +3,8 @@
 //
 // With the kinetic energy M_s v^2/2 (v = dR/dT), the equation of motion gives
 //     d/dT (M_s v^2/2 + elastic) = a P v + (M_s'/2 + Q_s) v^3,
-// and the last term vanishes during inflation and is negative during deflation: what the outflow carries off.
+// and the last term vanishes during inflation and is negative during deflation: what the outflow carries off. With an
+// exact closure and a channel it is next to zero and positive during inflation (docs/theory.md, section 2.4).
 
 #include <vector>
 

@@ -1,7 +1,6 @@
 #pragma once
 // The force of the liquid on a balloon whose radius is dictated, section 2.3 of the paper.
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,16 +11,23 @@
 
 namespace turgor {
 
+/// The closures that can say something about a dictated motion: an exact one must know every r_ch/r of it, and
+/// Closure::profile is there only if it is the case's own.
+/// @throws InvalidInput when the case's own is not among them, or the case has no dictated motion
+[[nodiscard]] std::vector<Closure> compared_closures(const Case& c);
+
 /// Generalized forces [N] at one state of a motion.
 struct ClosureForces {
-  std::array<double, all_closures.size()> all;  ///< by each closure, in their order
-  ForceParts<double> parts;                     ///< of the case's own closure
+  std::vector<double> all;   ///< by each of the compared closures
+  ForceParts<double> parts;  ///< of the case's own closure
 };
 
 /// Forces at a state of the dictated motion, with the inlet's gauge pressure as p_ext.
-/// @param state  at time `time` [s], which only serves messages
+/// @param closures  such as compared_closures()
+/// @param state     at time `time` [s], which only serves messages
 /// @throws InvalidInput when they are not finite numbers
-[[nodiscard]] ClosureForces forces_at(const Case& c, double time, const PrescribedMotion<double>::State& state);
+[[nodiscard]] ClosureForces forces_at(const Case& c, const std::vector<Closure>& closures, double time,
+                                      const PrescribedMotion<double>::State& state);
 
 /// The greatest force in size, with its sign.
 struct ForcePeak {
@@ -40,12 +46,13 @@ struct ForceSummary {
 };
 
 struct ForceHistory {
-  std::vector<ForceSummary> closures;  ///< in their order
+  std::vector<ForceSummary> closures;  ///< of compared_closures()
   RadiusRange<double> radius;
   std::vector<Warning> warnings;
 };
 
-/// Peaks are sought on the motion itself, not on rows, to 1e-8 of a phase; integrals are exact but for rounding.
+/// Peaks are sought on the motion itself, not on rows, to 1e-8 of a phase; integrals are exact but for
+/// rounding.
 /// @throws InvalidInput when the case has no dictated motion, or a force is not a finite number
 [[nodiscard]] ForceHistory force_history(const Case& c);
 

@@ -8,7 +8,8 @@
 namespace turgor {
 
 /// Gauge pressure [Pa] that holds the balloon at rest at stretch R: eq. (3.1) for any material,
-/// p0 = d0 W'(R)/(r0 R^2), and its slope dp0/dR [Pa].
+/// p0 = d0 W'(R)/(r0 R^2), and its slope dp0/dR [Pa]. With an exact closure R^2 h1 takes the place of R^2: the pressure
+/// does not work on the opening.
 /// @param R  0 < R < stretch_limit(material); compressed states (R < 1) give negative pressure
 struct StaticPressure {
   double value;
@@ -33,10 +34,10 @@ struct Equilibrium {
 };
 
 /// All equilibria at gauge pressure [Pa], in order of R; none when the pressure is out of reach of the material.
-/// Sought between smallest_stretch and the stretch limit (or largest_stretch).
+/// Sought between smallest_stretch and the stretch limit (or largest_stretch), and within closure_limits().
 [[nodiscard]] std::vector<Equilibrium> equilibria(const Parameters<double>& p, double pressure);
 
-/// The range searched for equilibria: no balloon is compressed below or, without a locking stretch, extended beyond it.
+/// No balloon is compressed below: nothing is sought there, nor outside closure_limits().
 inline constexpr double smallest_stretch = 0.05;
 
 }  // namespace turgor
