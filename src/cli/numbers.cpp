@@ -60,6 +60,7 @@ std::vector<double> kappa_values(const char* name, std::string_view text) {
                        "allowed are 2 to " + std::to_string(most_values));
   }
   std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) values.push_back(from * std::pow(to / from, static_cast<double>(k) / (count - 1)));
   values.back() = to;
   return values;

@@ -50,7 +50,7 @@ void add_cells(pugi::xml_node piece, const VtuGrid& grid) {
     connectivity.insert(connectivity.end(), corners.begin(), corners.end());
     offsets.push_back(static_cast<std::int32_t>(connectivity.size()));
   }
-  pugi::xml_node cells = piece.append_child("Cells");
+  const pugi::xml_node cells = piece.append_child("Cells");
   add_array(cells, "Int32", "connectivity", 1, connectivity);
   add_array(cells, "Int32", "offsets", 1, offsets);
   add_array(cells, "UInt8", "types", 1, std::vector<std::uint8_t>(offsets.size(), quadrilateral));
