@@ -24,7 +24,7 @@ InvalidInput wrong(const std::filesystem::path& file, std::size_t row, std::stri
 
 Rows parse_rows(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw wrong(file, 0, "cannot be read", "file names are relative to the case file's folder");
+  if (!stream) throw wrong(file, 0, "cannot be read", "in a case, file names are relative to the case file's folder");
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (!stream.good() && !stream.eof()) throw wrong(file, 0, "cannot be read");
 
@@ -50,27 +50,45 @@ Rows parse_rows(const std::filesystem::path& file) {
   return std::move(state.rows);
 }
 
-/// Factor from the unit in a header like "p [kPa]" to the given SI unit.
-double header_factor(const std::filesystem::path& file, const std::string& header, const std::string& unit) {
+/// What a header like "p [kPa]" says about its column.
+struct Header {
+  std::string unit;  ///< SI
+  double factor;     ///< from the unit of the file
+};
+
+Header parse_header(const std::filesystem::path& file, const std::string& header,
+                    const std::vector<std::string>& units) {
   const std::size_t open = header.find('[');
   const std::size_t close = header.find(']');
   if (open == std::string::npos || close == std::string::npos || close < open) {
-    throw wrong(file, 1, "the header \"" + header + "\" has no unit", "write it like \"t [s]\" or \"p [kPa]\"");
+    throw wrong(file, 1, "the header \"" + header + "\" has no unit",
+                "write it like \"t [s]\" or \"p [kPa]\", with [1] for a number without unit");
   }
-  try {
-    return unit_factor(header.substr(open + 1, close - open - 1), unit);
-  } catch (const InvalidInput& error) {
-    throw wrong(file, 1, "in the header \"" + header + "\" " + error.issues().front().problem,
-                error.issues().front().advice);
+  const std::string given = header.substr(open + 1, close - open - 1);
+  for (const std::string& unit : units) {
+    if (given == unit) return {unit, 1};
   }
+  Issue issue;
+  for (const std::string& unit : units) {
+    try {
+      return {unit, unit_factor(given, unit)};
+    } catch (const InvalidInput& error) {
+      if (issue.problem.empty()) issue = error.issues().front();
+    }
+  }
+  if (units.size() > 1) {
+    issue.advice = "allowed are units of";
+    for (const std::string& unit : units) issue.advice += (unit == units.front() ? " " : " or ") + unit;
+  }
+  throw wrong(file, 1, "in the header \"" + header + "\" " + issue.problem, issue.advice);
 }
 
 }  // namespace
 
-CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::string>& units) {
+std::vector<CsvColumn> read_csv(const std::filesystem::path& file, const std::vector<std::vector<std::string>>& units) {
   const Rows rows = parse_rows(file);
   if (rows.size() < 2) throw wrong(file, 0, "holds no rows of numbers", "give a header and at least two rows");
-  CsvTable columns(units.size());
+  std::vector<CsvColumn> columns(units.size());
   std::vector<double> factors;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     if (rows[r].size() != units.size()) {
@@ -80,7 +98,9 @@ CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::stri
     for (std::size_t i = 0; i < units.size(); ++i) {
       const std::string& field = rows[r][i];
       if (r == 0) {
-        factors.push_back(header_factor(file, field, units[i]));
+        const Header header = parse_header(file, field, units[i]);
+        columns[i].unit = header.unit;
+        factors.push_back(header.factor);
         continue;
       }
       double value = 0;
@@ -88,7 +108,7 @@ CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::stri
       if (error != std::errc{} || end != field.data() + field.size() || !std::isfinite(value)) {
         throw wrong(file, r + 1, "\"" + field + "\" is not a finite number");
       }
-      columns[i].push_back(value * factors[i]);
+      columns[i].values.push_back(value * factors[i]);
     }
   }
   return columns;

@@ -7,12 +7,17 @@
 
 namespace turgor {
 
-/// Columns of numbers, in SI units.
-using CsvTable = std::vector<std::vector<double>>;
+/// A column of numbers, in its SI unit.
+struct CsvColumn {
+  std::string unit;
+  std::vector<double> values;
+};
 
 /// Reads a CSV file whose first row names its columns with their units: "t [s],p [kPa]".
-/// @param units  SI unit of each column; their number is the number of columns the file must have
+/// @param units  for each column the SI units that it can have; of several dimensions, the header decides
+/// @return the columns, as many as `units`; element i of each stands in row i + 2 of the file
 /// @throws InvalidInput (without a key) naming file and row
-[[nodiscard]] CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::string>& units);
+[[nodiscard]] std::vector<CsvColumn> read_csv(const std::filesystem::path& file,
+                                              const std::vector<std::vector<std::string>>& units);
 
 }  // namespace turgor

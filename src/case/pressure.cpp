@@ -1,3 +1,4 @@
+#include <array>
 #include <filesystem>
 
 #include "csv_table.hpp"
@@ -65,7 +66,7 @@ void read_table(Reader& reader, Case& c) {
   const bool inline_points = reader.node("pressure.table.t") != nullptr || reader.node("pressure.table.p") != nullptr;
   const auto interpolation = reader.text("pressure.table.interpolation");
   const auto file = reader.text("pressure.table.file");
-  CsvTable table;
+  std::array<std::vector<double>, 2> table;  // times and pressures
   if (inline_points == file.has_value()) {
     reader.complain("pressure.table", inline_points ? "has both a file and inline points" : "has no points",
                     "write { file = \"p.csv\" } or { t = [\"0 s\", ...], p = [\"0 Pa\", ...] }");
@@ -73,7 +74,8 @@ void read_table(Reader& reader, Case& c) {
   }
   try {
     if (file) {
-      table = read_csv(c.file.parent_path() / *file, {"s", "Pa"});
+      const auto columns = read_csv(c.file.parent_path() / *file, {{"s"}, {"Pa"}});
+      table = {columns[0].values, columns[1].values};
     } else {
       for (const char* key : {"pressure.table.t", "pressure.table.p"}) {
         if (reader.node(key) == nullptr) reader.complain("pressure.table", std::string("has no list ") + key);

@@ -22,4 +22,19 @@ inline void add_case(CLI::App& command, CaseArguments& arguments) {
   command.add_flag("--json", arguments.json, "print one JSON document and nothing else");
 }
 
+/// Where a command writes its results.
+struct ResultArguments {
+  std::string directory;
+  bool force = false;
+  bool no_pictures = false;
+};
+
+/// @param fallback  the folder when none is given, in words
+inline void add_results(CLI::App& command, ResultArguments& arguments, const std::string& fallback) {
+  command.add_option("-o,--output", arguments.directory, "folder for the results; default: " + fallback)
+      ->type_name("DIR");
+  command.add_flag("--force", arguments.force, "replace earlier results in that folder");
+  command.add_flag("--no-pictures", arguments.no_pictures, "draw no pictures");
+}
+
 }  // namespace turgor::cli

@@ -30,11 +30,44 @@ struct DocArguments {
   bool json = false;
 };
 
+struct FlowArguments {
+  CaseArguments input;
+  ResultArguments results;
+  std::string at;
+  std::string profile;
+  int resolution = 200;
+  bool quiet = false;
+};
+
+struct CoefficientArguments {
+  ResultArguments results;
+  std::string kappa;
+  std::string profile;
+  int harmonics = 0;  ///< 0: no truncated sums
+  bool json = false;
+};
+
+struct ProfileArguments {
+  ResultArguments results;
+  std::string file;
+  std::string kappa = "1/200:1/10:9";
+  int harmonics = 20'000;  ///< the paper's
+  bool json = false;
+};
+
+// Each declares a command with its arguments, which must outlive `app`.
+CLI::App* add_flow(CLI::App& app, FlowArguments& arguments);
+CLI::App* add_coefficients(CLI::App& app, CoefficientArguments& arguments);
+CLI::App* add_profile(CLI::App& app, ProfileArguments& arguments);
+
 int run_case_file(const RunArguments& arguments);
 int write_force_history(const ForceArguments& arguments);
 int print_info(const CaseArguments& arguments);
 int validate_case_file(const CaseArguments& arguments);
 int print_documentation(const DocArguments& arguments);
 int print_materials(bool json);
+int write_flow(const FlowArguments& arguments);
+int print_coefficients(const CoefficientArguments& arguments);
+int print_profile(const ProfileArguments& arguments);
 
 }  // namespace turgor::cli

@@ -1,4 +1,4 @@
-// The command line: turgor run | force | sweep | info | validate | doc | materials.
+// The command line: turgor run | force | sweep | info | flow | coefficients | profile | validate | doc | materials.
 
 #include <unistd.h>
 
@@ -72,6 +72,13 @@ int main(int argc, char** argv) {
       "info", "dimensionless groups, limit points, equilibria, time constants, strained assumptions");
   add_case(*info_command, info);
 
+  FlowArguments flow;
+  CLI::App* flow_command = add_flow(app, flow);
+  CoefficientArguments coefficients;
+  CLI::App* coefficients_command = add_coefficients(app, coefficients);
+  ProfileArguments profile;
+  CLI::App* profile_command = add_profile(app, profile);
+
   CaseArguments validate;
   CLI::App* validate_command =
       app.add_subcommand("validate", "check a case file and say everything that is wrong with it");
@@ -92,7 +99,8 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty()) {
       std::cerr << "error: unknown command \"" << argv[1]
-                << "\"; commands are run, force, sweep, info, validate, doc, materials\n";
+                << "\"; commands are run, force, sweep, info, flow, coefficients, profile, validate, doc, "
+                   "materials\n";
       return exit_bad_input;
     }
     return app.exit(error) == 0 ? exit_done : exit_bad_input;
@@ -101,6 +109,11 @@ int main(int argc, char** argv) {
   if (run_command->parsed()) return guarded(run.input.json, [&] { return run_case_file(run); });
   if (force_command->parsed()) return guarded(force.input.json, [&] { return write_force_history(force); });
   if (info_command->parsed()) return guarded(info.json, [&] { return print_info(info); });
+  if (flow_command->parsed()) return guarded(flow.input.json, [&] { return write_flow(flow); });
+  if (coefficients_command->parsed()) {
+    return guarded(coefficients.json, [&] { return print_coefficients(coefficients); });
+  }
+  if (profile_command->parsed()) return guarded(profile.json, [&] { return print_profile(profile); });
   if (validate_command->parsed()) return guarded(validate.json, [&] { return validate_case_file(validate); });
   if (doc_command->parsed()) return guarded(doc.json, [&] { return print_documentation(doc); });
   return guarded(materials_json, [&] { return print_materials(materials_json); });

@@ -60,7 +60,16 @@ int run_gnuplot(const fs::path& folder, std::string script, const std::string& m
 
 }  // namespace
 
-std::string gnuplot(const fs::path& folder, const std::string& name, const std::string& data, const std::string& plot) {
+std::string viridis_palette() {
+  std::string out;
+  for (std::size_t i = 0; i < viridis.size(); ++i) {
+    out += (out.empty() ? "" : ", ") + std::to_string(i) + " '" + viridis[i] + "'";
+  }
+  return "set palette defined (" + out + ")\n";
+}
+
+std::string gnuplot(const fs::path& folder, const std::string& name, const std::string& data, const std::string& plot,
+                    PictureSize size) {
   const std::string frame = "set border 31 lw 0.8\nset tics nomirror\nset grid lw 0.5 lc rgb 'grey85'\n";
   const std::string script = name + ".gp";
   std::string file;  // a single quote is doubled inside single quotes
@@ -68,10 +77,12 @@ std::string gnuplot(const fs::path& folder, const std::string& name, const std::
   {
     std::ofstream stream(folder / script);
     stream << "# Made by turgor; draw again with: gnuplot " << script << "\n" << data;
-    stream << "set terminal svg size 800,560 font 'Helvetica,15' background rgb 'white' rounded enhanced\n"
+    stream << "set terminal svg size " << size.width << "," << size.height
+           << " font 'Helvetica,15' background rgb 'white' rounded enhanced\n"
            << "set output '" << file << ".svg'\n"
            << frame << plot << "unset output\nreset\n"
-           << "set terminal pngcairo size 1600,1120 font 'Helvetica,15' fontscale 1.9 linewidth 2 pointscale 2 rounded "
+           << "set terminal pngcairo size " << 2 * size.width << "," << 2 * size.height
+           << " font 'Helvetica,15' fontscale 1.9 linewidth 2 pointscale 2 rounded "
               "enhanced\n"
            << "set output '" << file << ".png'\n"
            << frame << plot << "unset output\n";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 
@@ -11,11 +12,23 @@ namespace turgor {
 /// 1, 2 or 5 times a power of ten: the greatest up to `wanted` > 0.
 [[nodiscard]] double round_step(double wanted);
 
+struct PictureSize {
+  int width = 800;
+  int height = 560;
+};
+
+/// Viridis (S. van der Walt & N. Smith), even in lightness and told apart by every kind of colour vision.
+inline constexpr std::array<const char*, 9> viridis{"#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c",
+                                                    "#28ae80", "#5ec962", "#addc30", "#fde725"};
+/// The command that makes it the palette.
+[[nodiscard]] std::string viridis_palette();
+
 /// Writes NAME.gp and runs gnuplot on it, which draws NAME.svg and NAME.png beside it.
 /// @param data  named data blocks
 /// @param plot  commands that draw them, run once for each format
+/// @param size  of the SVG; the PNG has twice the pixels each way
 /// @return what went wrong; empty when both pictures are there
 [[nodiscard]] std::string gnuplot(const std::filesystem::path& folder, const std::string& name, const std::string& data,
-                                  const std::string& plot);
+                                  const std::string& plot, PictureSize size = {});
 
 }  // namespace turgor

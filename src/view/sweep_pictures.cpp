@@ -17,26 +17,13 @@ constexpr std::size_t most_pictures = 4;
 constexpr std::array<std::string_view, 3> usual_quantities{"peak_stretch", "final_stretch", "final_well"};
 constexpr std::size_t most_panels = 6;
 
-// Viridis (S. van der Walt & N. Smith), even in lightness and told apart by every kind of colour vision.
-constexpr std::array<const char*, 9> colours{"#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c",
-                                             "#28ae80", "#5ec962", "#addc30", "#fde725"};
-
-/// Colours for numbers that vary continuously.
-std::string smooth_palette() {
-  std::string out;
-  for (std::size_t i = 0; i < colours.size(); ++i) {
-    out += (out.empty() ? "" : ", ") + std::to_string(i) + " '" + colours[i] + "'";
-  }
-  return "set palette defined (" + out + ")\n";
-}
-
 /// One colour for each whole number from least to greatest: at most as many as there are colours.
 std::string stepped_palette(double least, double greatest) {
   const auto levels = static_cast<int>(greatest - least + 1);
   std::string out;
   for (int k = 0; k < levels; ++k) {
     const double share = levels > 1 ? static_cast<double>(k) / (levels - 1) : 0.5;
-    const std::string colour = colours[static_cast<std::size_t>(std::lround(share * (colours.size() - 1)))];
+    const std::string colour = viridis[static_cast<std::size_t>(std::lround(share * (viridis.size() - 1)))];
     for (const int at : {k, k + 1}) out += (out.empty() ? "" : ", ") + std::to_string(at) + " '" + colour + "'";
   }
   return "set palette maxcolors 0\nset palette defined (" + out + ")\nset cbrange [" + rounded(least - 0.5, 6) + ":" +
@@ -203,9 +190,9 @@ class SweepPicture {
   [[nodiscard]] std::string map() const {
     const QuantitySummary& q = summary_.quantities[quantity_];
     const double least = std::floor(q.least);
-    const bool stepped = counts() && q.greatest - least < static_cast<double>(colours.size());
+    const bool stepped = counts() && q.greatest - least < static_cast<double>(viridis.size());
     std::string commands = axis("x", 0) + axis("y", 1) + cell_range("x", 0) + cell_range("y", 1);
-    commands += stepped ? stepped_palette(least, q.greatest) : smooth_palette();
+    commands += stepped ? stepped_palette(least, q.greatest) : viridis_palette();
     commands +=
         "unset key\nunset grid\nset tics out\nset cblabel " + name() + " offset 1.5\nset rmargin at screen 0.80\n";
     commands += "set object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb 'grey85' fs solid noborder\n";

@@ -2,9 +2,9 @@
 // The folder a run or a force history leaves behind.
 
 #include <filesystem>
-#include <vector>
 
 #include "turgor/run/force_history.hpp"
+#include "turgor/run/result_folder.hpp"
 #include "turgor/run/run_case.hpp"
 
 namespace turgor {
@@ -24,12 +24,10 @@ class RunDirectory {
   /// The same for a force history: its table, and last force.json.
   void write(const Case& c, const ForceHistory& history);
 
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] const std::filesystem::path& path() const { return folder_.path(); }
 
  private:
-  void write_file(const std::string& name, const std::string& text) const;
-
-  std::filesystem::path path_;
+  ResultFolder folder_;
 };
 
 }  // namespace turgor

@@ -1,0 +1,27 @@
+#pragma once
+// Grids as VTK's XML files.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace turgor {
+
+/// A quantity at the points of a grid.
+struct PointData {
+  std::string name;
+  int components;
+  std::vector<double> values;  ///< `components` for each point
+};
+
+struct VtuGrid {
+  std::vector<double> points;  ///< three for each
+  std::vector<std::array<std::int32_t, 4>> quadrilaterals;
+  std::vector<PointData> data;
+};
+
+/// A .vtu file, its numbers in base64: 4/3 of their size in memory, bit for bit.
+[[nodiscard]] std::string vtu_text(const VtuGrid& grid);
+
+}  // namespace turgor
