@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 #include "parts.hpp"
 #include "turgor/base/errors.hpp"
 #include "turgor/base/text.hpp"
+#include "turgor/case/profile.hpp"
 #include "turgor/statics/statics.hpp"
 
 namespace turgor {
@@ -25,11 +27,25 @@ void declare_dynamics(Schema& schema) {
               .choices = {"full", "orifice", "long-channel", "auto"},
               .fallback = "auto",
               .meaning = "(2.22), (2.23), (2.25), or the simplest whose dropped terms are all below auto_tolerance"});
-  schema.add({.path = "model.closure",
+  schema.add(
+      {.path = "model.closure",
+       .kind = text,
+       .choices = {"theoretical", "corrected", "potential", "profile"},
+       .fallback = "corrected",
+       .meaning = "liquid in the balloon during deflation: (2.12), (2.15), (2.8) itself, or (2.8) for a profile"});
+  schema.add({.path = "model.profile",
               .kind = text,
-              .choices = {"theoretical", "corrected", "potential"},
-              .fallback = "corrected",
-              .meaning = "liquid in the balloon during deflation: (2.12), (2.15) or (2.8) itself"});
+              .meaning = "CSV file of an outflow profile (2.13), beside the case; with closure = \"profile\""});
+  schema.add({.path = "model.profile_points", .kind = table, .meaning = "instead of profile: its points"});
+  schema.add({.path = "model.profile_points.upsilon",
+              .kind = number_list,
+              .range = {0, 1},
+              .required = true,
+              .meaning = "distances from the axis over r_ch, increasing from 0 to 1"});
+  schema.add({.path = "model.profile_points.f",
+              .kind = number_list,
+              .required = true,
+              .meaning = "axial velocities there, in any unit, positive out of the balloon"});
   schema.add({.path = "model.auto_tolerance",
               .kind = number,
               .range = {0, 1, true},
@@ -51,11 +67,75 @@ void declare_dynamics(Schema& schema) {
 
 namespace {
 
+/// The points of the case's profile.
+/// @throws InvalidInput when its file is none
+std::optional<ProfileTable> given_profile(Reader& reader, const Case& c) {
+  if (const Node* given = reader.node("model.profile")) {
+    if (const auto* file = given->as<std::string>()) return read_profile_table(c.file.parent_path() / *file);
+    reader.complain("model.profile", "is " + std::string(given->type_name()) + ", not the name of a CSV file",
+                    "write profile = \"f.csv\", or give profile_points");
+    return std::nullopt;
+  }
+  if (reader.node("model.profile_points")->as<Node::Table>() == nullptr) return std::nullopt;  // said by check_unknown
+  auto upsilon = reader.list("model.profile_points.upsilon");
+  auto velocity = reader.list("model.profile_points.f");
+  if (!upsilon || !velocity) return std::nullopt;
+  return ProfileTable{std::move(*upsilon), std::move(*velocity)};
+}
+
+/// The table of a profile. That of the last one is remembered: the members of a sweep share it, and with it what it has
+/// computed.
+/// @throws InvalidInput when the points make no profile
+std::shared_ptr<const ForceTable> force_table_of(const ProfileTable& points) {
+  static std::mutex mutex;
+  static ProfileTable last;
+  static std::shared_ptr<const ForceTable> table;
+  const std::scoped_lock lock(mutex);
+  if (table == nullptr || last != points) {
+    table = std::make_shared<const ForceTable>(OutflowProfile::table(points.upsilon, points.velocity));
+    last = points;
+  }
+  return table;
+}
+
+void read_outflow(Reader& reader, Case& c) {
+  const Node* file = reader.node("model.profile");
+  const Node* points = reader.node("model.profile_points");
+  const bool wanted = c.parameters.closure == Closure::profile;
+  if (!wanted) c.parameters.outflow.reset();
+  if (wanted && (file == nullptr) == (points == nullptr)) {
+    reader.complain("model.closure", file == nullptr ? "there is no profile" : "there are two profiles",
+                    "give one of model.profile = \"f.csv\" and model.profile_points");
+    return;
+  }
+  if (file == nullptr && points == nullptr) return;
+  const char* key = file != nullptr ? "model.profile" : "model.profile_points";
+  if (!wanted) {
+    if (reader.node("sweep.axes.\"model.closure\"") != nullptr) return;  // other members may want it
+    reader.complain(key, "goes with closure = \"profile\" only",
+                    "the closure is \"" + std::string(name_of(c.parameters.closure)) + "\"");
+    return;
+  }
+  try {
+    const auto table = given_profile(reader, c);
+    if (!table) return;
+    c.parameters.outflow = force_table_of(*table);
+    reader.resolve("model.profile_points", [&] {
+      return "{ upsilon = " + toml_list(table->upsilon, "1") + ", f = " + toml_list(table->velocity, "1") + " }";
+    });
+  } catch (const InvalidInput& error) {
+    for (const Issue& issue : error.issues()) {
+      reader.complain(key, issue.value.empty() ? issue.problem : issue.value + ": " + issue.problem, issue.advice);
+    }
+  }
+}
+
 void read_closure(Reader& reader, Case& c) {
   const auto name = reader.text("model.closure");
-  for (const Closure closure : {Closure::theoretical, Closure::corrected, Closure::potential}) {
+  for (const Closure closure : all_closures) {
     if (name == name_of(closure)) c.parameters.closure = closure;
   }
+  if (name) read_outflow(reader, c);
   if (!reader.issues().empty()) return;  // a table needs a valid balloon
   try {
     static_cast<void>(force_table(c.parameters));

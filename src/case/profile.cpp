@@ -50,13 +50,18 @@ std::vector<double> upsilon_of(const std::filesystem::path& file, const CsvColum
 
 }  // namespace
 
+ProfileTable read_profile_table(const std::filesystem::path& file) {
+  std::vector<CsvColumn> columns = read_columns(file);
+  std::vector<double> upsilon = upsilon_of(file, columns[0]);
+  return {std::move(upsilon), std::move(columns[1].values)};
+}
+
 OutflowProfile read_profile(const std::filesystem::path& file) {
-  const std::vector<CsvColumn> columns = read_columns(file);
+  const ProfileTable table = read_profile_table(file);
   try {
-    return OutflowProfile::table(upsilon_of(file, columns[0]), columns[1].values);
+    return OutflowProfile::table(table.upsilon, table.velocity);
   } catch (const InvalidInput& error) {
     const Issue& issue = error.issues().front();
-    if (issue.key == key) throw;
     throw InvalidInput(key, file.string(), issue.value + ": " + issue.problem, issue.advice);
   }
 }

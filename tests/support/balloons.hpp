@@ -17,7 +17,8 @@ template <class T = double>
 template <class T>
 [[nodiscard]] Parameters<T> with_closure(Parameters<T> p, Closure closure) {
   p.closure = closure;
-  if (closure == Closure::profile) p.outflow = std::make_shared<const ForceTable>(ForceTable::uniform());
+  static const auto rounded_profile = std::make_shared<const ForceTable>(OutflowProfile::polynomial({1.25, 0, -0.5}));
+  if (closure == Closure::profile) p.outflow = rounded_profile;
   return p;
 }
 

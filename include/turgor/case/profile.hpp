@@ -2,6 +2,7 @@
 // Outflow profiles (2.13) from files.
 
 #include <filesystem>
+#include <vector>
 
 #include "turgor/flow/outflow_profile.hpp"
 
@@ -13,5 +14,15 @@ namespace turgor {
 /// normalised.
 /// @throws InvalidInput (key "profile") naming the file, and the row where there is one
 [[nodiscard]] OutflowProfile read_profile(const std::filesystem::path& file);
+
+/// The same as points of OutflowProfile::table().
+struct ProfileTable {
+  std::vector<double> upsilon;
+  std::vector<double> velocity;  ///< as given, in its SI unit
+
+  bool operator==(const ProfileTable&) const = default;
+};
+/// @throws InvalidInput as read_profile(), but for what makes points no profile
+[[nodiscard]] ProfileTable read_profile_table(const std::filesystem::path& file);
 
 }  // namespace turgor
