@@ -20,7 +20,7 @@ double upper_end(std::size_t piece) { return std::min(2 * lower_end(piece), Forc
 ForceTable::Piece ForceTable::compute(const OutflowProfile& profile, std::size_t piece, double tolerance) {
   const double lower = lower_end(piece);
   const double upper = upper_end(piece);
-  std::array<ForceCoefficients, terms> g;
+  std::array<ForceCoefficients, terms> g{};
   for (std::size_t j = 0; j < terms; ++j) {
     g[j] = force_coefficients(PotentialFlow(Series::point(j, lower, upper), profile, tolerance));
   }
@@ -35,12 +35,12 @@ ForceTable::Piece ForceTable::compute(const OutflowProfile& profile, std::size_t
 ForceTable::ForceTable(OutflowProfile profile)
     : profile_(std::move(profile)), slots_(std::make_shared<std::array<Slot, pieces>>()) {}
 
-ForceTable::ForceTable(Uniform) : ForceTable(OutflowProfile::uniform()) {
+ForceTable::ForceTable(Uniform /*unused*/) : ForceTable(OutflowProfile::uniform()) {
   for (std::size_t i = 0; i < pieces; ++i) {
-    const auto& [inertial, centripetal] = uniform_force_table[i];
+    const UniformForcePiece& shipped = uniform_force_table[i];
     Slot& slot = (*slots_)[i];
     std::call_once(slot.made, [&] {
-      slot.piece = {{lower_end(i), upper_end(i), inertial}, {lower_end(i), upper_end(i), centripetal}};
+      slot.piece = {{lower_end(i), upper_end(i), shipped.inertial}, {lower_end(i), upper_end(i), shipped.centripetal}};
     });
   }
 }

@@ -69,7 +69,9 @@ Harmonics profile_harmonics(double kappa, const OutflowProfile& profile, int cou
 
   // int (u - 1) P_m over the cap by Gauss rules on panels that the highest harmonic crosses in a phase of 8.
   const auto add_panel = [&](double from, double to) {
-    Lanes depth, strength, change;
+    Lanes depth;
+    Lanes strength;
+    Lanes change;
     for (int j = 0; j < lanes; ++j) {
       const double angle = from + (to - from) * rule.node[static_cast<std::size_t>(j)];
       const double half = std::sin(angle / 2);
@@ -90,8 +92,8 @@ Harmonics profile_harmonics(double kappa, const OutflowProfile& profile, int cou
   for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
     const double from = std::asin(knots[k] * kappa);
     const double to = std::asin(knots[k + 1] * kappa);
-    const double panels = std::ceil((to - from) * count / 8);
-    for (double p = 0; p < panels; ++p) {
+    const int panels = static_cast<int>(std::ceil((to - from) * count / 8));
+    for (int p = 0; p < panels; ++p) {
       add_panel(from + (to - from) * p / panels, from + (to - from) * (p + 1) / panels);
     }
   }

@@ -117,7 +117,8 @@ INSTANTIATE_TEST_SUITE_P(
                 R"({ closure = "profile", profile_points = { upsilon = [0.0, 0.5, 0.9, 1.1], f = [1, 1, 1, 1] } })",
                 "out of range"},
         Mistake{"PointsWithoutVelocities",
-                R"({ closure = "profile", profile_points = { upsilon = [0, 0.5, 0.7, 1] } })", "profile_points.f: missing"},
+                R"({ closure = "profile", profile_points = { upsilon = [0, 0.5, 0.7, 1] } })",
+                "profile_points.f: missing"},
         Mistake{"PointsAreNoTable", R"({ closure = "profile", profile_points = [1, 2] })", "not a table"}),
     [](const auto& instance) { return instance.param.name; });
 

@@ -49,7 +49,10 @@ struct ChebyshevSeries {
   [[nodiscard]] ValueAndSlope<T> at(const T& argument) const {
     const T per_length = T(2) / (T(upper) - T(lower));
     const T x = (argument - T(lower)) * per_length - T(1);
-    T b1(0), b2(0), d1(0), d2(0);
+    T b1(0);
+    T b2(0);
+    T d1(0);
+    T d2(0);
     for (std::size_t k = N - 1; k > 0; --k) {
       const T d = 2 * (x * d1 + b1) - d2;
       const T b = 2 * x * b1 - b2 + T(coefficient[k]);

@@ -30,7 +30,7 @@ struct FlowIntegrals {
 
 /// All five, for any profile; complete, with the integral that the paper drops.
 [[nodiscard]] ForceCoefficients force_coefficients(const PotentialFlow& flow);
-[[nodiscard]] ForceCoefficients force_coefficients(double eps, const FlowIntegrals& integrals);
+[[nodiscard]] ForceCoefficients force_coefficients(double eps, const FlowIntegrals& flow);
 
 /// The paper's approximations for uniform outflow: leading terms (2.9), fits (2.10) over kappa = 1/200...1/10.
 [[nodiscard]] ForceCoefficients paper_fits(double eps);

@@ -58,7 +58,7 @@ class ForceTable {
 
  private:
   struct Uniform {};
-  explicit ForceTable(Uniform);
+  explicit ForceTable(Uniform unused);
 
   [[nodiscard]] const Piece& piece(std::size_t index) const;
 

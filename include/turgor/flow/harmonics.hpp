@@ -37,6 +37,6 @@ struct TruncatedForce {
 
 /// The double series in time N log N: the integral of v^2 over the wall is a sum over (a_m b_n)/(m - n), a product with
 /// a Toeplitz matrix.
-[[nodiscard]] TruncatedForce truncated_force(const Harmonics& harmonics);
+[[nodiscard]] TruncatedForce truncated_force(const Harmonics& a);
 
 }  // namespace turgor
