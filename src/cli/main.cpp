@@ -1,4 +1,4 @@
-// The command line: turgor run | sweep | info | validate | doc | materials.
+// The command line: turgor run | sweep | info | asymptotics | validate | doc | materials.
 
 #include <unistd.h>
 
@@ -60,6 +60,14 @@ int main(int argc, char** argv) {
       "info", "dimensionless groups, limit points, equilibria, time constants, strained assumptions");
   add_case(*info_command, info);
 
+  AsymptoticsArguments asymptotics;
+  CLI::App* asymptotics_command = app.add_subcommand(
+      "asymptotics",
+      "the closed approximations of equilibria and free motion at the final pressure, with their errors");
+  add_case(*asymptotics_command, asymptotics.input);
+  asymptotics_command->add_option("--from", asymptotics.from, "stretch from which the balloon deflates")
+      ->type_name("STRETCH");
+
   CaseArguments validate;
   CLI::App* validate_command =
       app.add_subcommand("validate", "check a case file and say everything that is wrong with it");
@@ -80,7 +88,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty()) {
       std::cerr << "error: unknown command \"" << argv[1]
-                << "\"; commands are run, sweep, info, validate, doc, materials\n";
+                << "\"; commands are run, sweep, info, asymptotics, validate, doc, materials\n";
       return exit_bad_input;
     }
     return app.exit(error) == 0 ? exit_done : exit_bad_input;
@@ -88,6 +96,9 @@ int main(int argc, char** argv) {
 
   if (run_command->parsed()) return guarded(run.input.json, [&] { return run_case_file(run); });
   if (info_command->parsed()) return guarded(info.json, [&] { return print_info(info); });
+  if (asymptotics_command->parsed()) {
+    return guarded(asymptotics.input.json, [&] { return print_asymptotics(asymptotics); });
+  }
   if (validate_command->parsed()) return guarded(validate.json, [&] { return validate_case_file(validate); });
   if (doc_command->parsed()) return guarded(doc.json, [&] { return print_documentation(doc); });
   return guarded(materials_json, [&] { return print_materials(materials_json); });
