@@ -41,7 +41,10 @@ void require_amplitude(const char* name, double x) {
 
 }  // namespace
 
-Decay::Decay(const FreeMotion& motion) : beta_(motion.beta()) {
+Decay::Decay(const FreeMotion& motion)
+    : beta_(motion.beta()),
+      cycle_time_(std::numbers::pi *
+                  (1 / motion.frequency(Regime::deflating) + 1 / motion.frequency(Regime::inflating))) {
   const double R = motion.equilibrium();
   const double r2 = R * R;
   const double r3 = r2 * R;
@@ -52,7 +55,6 @@ Decay::Decay(const FreeMotion& motion) : beta_(motion.beta()) {
   const Jet<double> F = motion.force().at(R);
   force_ = F.second / (4 * beta_ * F.first);
   damping_ = beta_slope / (2 * beta_ * beta_);
-  cycle_time_ = std::numbers::pi * (1 / motion.frequency(Regime::deflating) + 1 / motion.frequency(Regime::inflating));
 }
 
 Estimate Decay::undershoot(double x) const {

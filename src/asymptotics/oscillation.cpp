@@ -4,6 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "turgor/base/errors.hpp"
+#include "turgor/base/text.hpp"
+
 namespace turgor {
 
 Oscillation::Oscillation(const FreeMotion& motion, Regime regime)
@@ -29,7 +32,6 @@ Oscillation::Oscillation(const FreeMotion& motion, Regime regime)
   mass_curvature_ = nu * nu + nu_slope;
   quadratic_ = second / 2 + nu / 2;
   cubic_ = third / 6 - nu * nu / 6 + nu_slope / 3;
-  period_ = 5 * quadratic_ * quadratic_ / 12 - 3 * cubic_ / 8;
   nonlinearity_ =
       std::max({std::abs(quadratic_), std::sqrt(std::abs(cubic_)), std::abs(nu), std::sqrt(std::abs(nu_slope))});
 }
@@ -49,33 +51,50 @@ double Oscillation::third(double e, double T) const {
   const double triple = a * a / 48 + cubic_ / 32;
   const double s = e * (1 + e * (mass_slope_ / 2 + e * mass_curvature_ / 6));
   const double A = s * (1 + s * (a / 3 + s * (2 * a * a / 9 - triple)));
-  const double angle = frequency_ * T * (1 - period_ * A * A);
+  const double angle = frequency_ * T * (1 - lengthening() * A * A);
   const double x = A * (std::cos(angle) + A * (a / 6 * (std::cos(2 * angle) - 3) + A * triple * std::cos(3 * angle)));
   return equilibrium_ + x * (1 + x * (-mass_slope_ / 2 + x * (mass_slope_ * mass_slope_ / 2 - mass_curvature_ / 6)));
 }
 
+double Oscillation::lengthening() const { return 5 * quadratic_ * quadratic_ / 12 - 3 * cubic_ / 8; }
+
 double Oscillation::fourth_order_size(double e) const { return std::abs(e) * power<3>(std::abs(e) * nonlinearity_); }
 
+void Oscillation::require(double e, double T) const {
+  require_time(T);
+  if (std::abs(e) <= reach()) return;
+  throw InvalidInput("e", shortest(e),
+                     "is beyond the reach of an expansion about the equilibrium " + shortest(equilibrium_),
+                     "at most " + shortest(reach()));
+}
+
 Estimate Oscillation::first_order(double e, double T) const {
+  require(e, T);
+
   const double value = first(e, T);
   return {value, std::abs(third(e, T) - value) + fourth_order_size(e)};
 }
 
 Estimate Oscillation::second_order(double e, double T) const {
+  require(e, T);
+
   const double value = second(e, T);
   return {value, std::abs(third(e, T) - value) + fourth_order_size(e)};
 }
 
-Estimate Oscillation::third_order(double e, double T) const { return {third(e, T), fourth_order_size(e)}; }
+Estimate Oscillation::third_order(double e, double T) const {
+  require(e, T);
+  return {third(e, T), fourth_order_size(e)};
+}
 
 Estimate Oscillation::half_period(double e) const {
   const double value = std::numbers::pi / frequency_;
-  return {value, value * (std::abs(period_) * e * e + power<3>(std::abs(e) * nonlinearity_))};
+  return {value, value * (std::abs(lengthening()) * e * e + power<3>(std::abs(e) * nonlinearity_))};
 }
 
 Estimate Oscillation::corrected_half_period(double e) const {
   const double value = std::numbers::pi / frequency_;
-  return {value * (1 + period_ * e * e), value * power<3>(std::abs(e) * nonlinearity_)};
+  return {value * (1 + lengthening() * e * e), value * power<3>(std::abs(e) * nonlinearity_)};
 }
 
 double alpha2(const FreeMotion& motion) {

@@ -61,7 +61,7 @@ void PiecewiseSolution::append(const FreeMotion& motion, double from) {
       half.duration.error += half_cycles_.back().to.error / std::sqrt(slow_manifold(motion, from).corrected().value);
     }
   } else {
-    const Oscillation& oscillation = std::get<Oscillation>(law);
+    const auto& oscillation = std::get<Oscillation>(law);
     half.duration = chain_ == Chain::paper ? oscillation.half_period(e) : oscillation.corrected_half_period(e);
   }
   half_cycles_.push_back(half);
@@ -76,7 +76,7 @@ Estimate PiecewiseSolution::stretch(std::size_t index, double T) const {
   const Law& law = laws_[index];
   if (const auto* matched = std::get_if<MatchedDeflation>(&law)) return matched->composite(T);
   if (const auto* slow = std::get_if<SlowDeflation>(&law)) return slow->at(T);
-  const Oscillation& oscillation = std::get<Oscillation>(law);
+  const auto& oscillation = std::get<Oscillation>(law);
   const double e = half_cycles_[index].from - equilibrium_;
   if (chain_ == Chain::uniform) return oscillation.third_order(e, T);
   return channel_ ? oscillation.second_order(e, T) : oscillation.first_order(e, T);

@@ -23,7 +23,7 @@ double root(const Function& f, double lo, double hi) {
 }
 
 /// Refuses starts where the expansion does not hold; see SlowDeflation.
-const FreeMotion& checked(const FreeMotion& motion, double start) {
+FreeMotion checked(const FreeMotion& motion, double start) {
   (void)motion.require_deflation();
   require_above_equilibrium(motion, start);
   const SlowManifold w = slow_manifold(motion, start);
@@ -76,9 +76,12 @@ Estimate SlowDeflation::transition_time() const {
 }
 
 SlowDeflation::Way::Way(const FreeMotion& motion, double start, int terms)
-    : motion_(motion), C2_(motion.require_deflation().C2), start_(start), terms_(terms) {
-  at_start_ = manifold(start);
-  end_ = find_turning_point();
+    : motion_(motion),
+      C2_(motion.require_deflation().C2),
+      start_(start),
+      terms_(terms),
+      at_start_(manifold(start)),
+      end_(find_turning_point()) {
   const double middle = std::sqrt((start_ - end_) / 2);
   add_pieces(true, middle);
   add_pieces(false, middle);
@@ -95,7 +98,7 @@ double SlowDeflation::Way::squared_rate(double R) const { return (start_ - R) * 
 double SlowDeflation::Way::slope_to_start(double way) const {
   // Closer to the start w is a difference of nearly equal numbers, but a straight line.
   const double straight = 1e-6 / (2 * C2_ * start_ * start_);
-  if (way < straight) way = straight;
+  way = std::max(way, straight);
   const double R = start_ - way;
   const double layer = 2 * C2_ / 3 * way * (start_ * start_ + start_ * R + R * R);
   return (manifold(R) - at_start_ - at_start_ * std::expm1(-layer)) / way;
@@ -155,10 +158,12 @@ double SlowDeflation::Way::at(double T) const {
   const auto next = std::ranges::upper_bound(pieces_, T, {}, &Piece::time);
   const Piece& piece = *(next - 1);
   const auto lateness = [&](double s) { return piece.time + duration(piece.falling, piece.from, s) - T; };
-  const double late = lateness(piece.to);
-  const double s = late > 0 && lateness(piece.from) < 0
-                       ? root(lateness, std::min(piece.from, piece.to), std::max(piece.from, piece.to))
-                       : (late > 0 ? piece.from : piece.to);
+  double s = piece.to;
+  if (lateness(piece.from) >= 0) {
+    s = piece.from;
+  } else if (lateness(piece.to) > 0) {
+    s = root(lateness, std::min(piece.from, piece.to), std::max(piece.from, piece.to));
+  }
   return piece.falling ? start_ - s * s : end_ + s * s;
 }
 

@@ -126,7 +126,7 @@ Json motion_json(const MotionForecast& f) {
   const TimeScales times = f.motion.time_scales();
   Json constants = nullptr;
   if (f.constants) {
-    const auto [C1, C2] = *f.motion.deflation();
+    const auto [C1, C2] = f.motion.require_deflation();
     constants = {{"C1", C1},
                  {"C2", C2},
                  {"delta", 1 / C2},
@@ -179,7 +179,7 @@ std::string motion_text(const MotionForecast& f) {
   out += "    beta = " + rounded(f.motion.beta(), 8) + ", alpha2 = " + rounded(f.alpha2, 8) + "  (3.20b)\n";
   out += "    deflation from rest at R_i = " + rounded(f.start, 8) + "\n";
   if (f.constants) {
-    out += "      delta = 1/C2 = " + rounded(1 / f.motion.deflation()->C2, 6) +
+    out += "      delta = 1/C2 = " + rounded(1 / f.motion.require_deflation().C2, 6) +
            ", gamma1 = " + rounded(f.constants->first, 6) + ", gamma2 = " + rounded(f.constants->second, 6) +
            ", gamma3 = " + rounded(f.constants->third, 6) + "  (3.13), on deflation's clock\n";
   }
@@ -224,7 +224,7 @@ std::string asymptotics_text(const Case& c, const AsymptoticsReport& report) {
   out += "\n";
   for (const ClosedEquilibrium& e : report.closed) {
     out += "    " + e.equation + ": " + attempt_text(e.stretch);
-    if (e.exact) out += ", off by " + rounded(e.stretch.estimate->value - *e.exact, 2);
+    if (e.exact && e.stretch.estimate) out += ", off by " + rounded(e.stretch.estimate->value - *e.exact, 2);
     out += "\n";
   }
   for (const MotionForecast& f : report.motions) out += motion_text(f);

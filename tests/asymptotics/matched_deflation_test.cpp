@@ -179,6 +179,9 @@ TEST(MatchedDeflation, RefusesWhatItCannotDo) {
   }
   EXPECT_THROW(MatchedDeflation(small, small.equilibrium() * (1 + 1e-12)), InvalidInput);
   EXPECT_THROW(MatchedDeflation(small, small.greatest() * (1 - 1e-9)), InvalidInput);
+  // 2 beta (start - R_eq) = 0.02: w2 is not small, and the undershoot would be twice too large.
+  EXPECT_THROW(MatchedDeflation(FreeMotion(test::orifice_balloon(0.2233, 500.0), middle_pressure, 1.3), 1.2582136),
+               InvalidInput);
   // From R = 1.5 the slow motion gains speed at first: 4 gamma1 + gamma2 > 0, where the plus root is 4.8 times too
   // large.
   const MatchedDeflation far(small, 1.5);

@@ -8,6 +8,7 @@
 
 #include "../support/reference.hpp"
 #include "motions.hpp"
+#include "turgor/base/errors.hpp"
 
 namespace turgor {
 namespace {
@@ -122,6 +123,16 @@ TEST(Oscillation, KnowsItsErrors) {
       }
     }
   }
+}
+
+TEST(Oscillation, RefusesAmplitudesBeyondItsReach) {
+  const Oscillation law(motion(true), Regime::deflating);
+  EXPECT_NO_THROW((void)law.first_order(0.99 * law.reach(), 1));
+  for (const double e : {1.01 * law.reach(), -1.01 * law.reach(), std::nan("")}) {
+    EXPECT_THROW((void)law.first_order(e, 1), InvalidInput) << e;
+    EXPECT_THROW((void)law.third_order(e, 1), InvalidInput) << e;
+  }
+  EXPECT_THROW((void)law.second_order(0.1 * law.reach(), -1), InvalidInput);
 }
 
 }  // namespace

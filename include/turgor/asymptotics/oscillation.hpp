@@ -10,8 +10,8 @@ namespace turgor {
 /// Inflation: first_order() is (3.18) and, with a channel, second_order() is (3.19). Deflation has the same form, and
 /// its second order is the "more precise and simple" approximation near the equilibrium that the paper asks for.
 /// Both regimes have an integral: with the factor mu = exp(-2 int Q/M dR) the force mu F/M and the mass mu are those of
-/// a conservative oscillator, whose third order in e is classical. Every order is defined for all e and T; the
-/// estimated errors rest on the next order, and are sharp while |e| stays well below reach().
+/// a conservative oscillator, whose third order in e is classical. The estimated errors rest on the next
+/// order; they are sharp while |e| stays well below reach().
 class Oscillation {
  public:
   Oscillation(const FreeMotion& motion, Regime regime);
@@ -21,6 +21,7 @@ class Oscillation {
   [[nodiscard]] double reach() const { return 1 / nonlinearity_; }
 
   /// R(T) from rest at R_eq + e; T from 0 to about half_period(e). Errors O(e^2), O(e^3) and O(e^4).
+  /// @throws InvalidInput for `e` unless |e| <= reach(); for `T` before the start
   [[nodiscard]] Estimate first_order(double e, double T) const;
   [[nodiscard]] Estimate second_order(double e, double T) const;
   [[nodiscard]] Estimate third_order(double e, double T) const;
@@ -31,9 +32,11 @@ class Oscillation {
   [[nodiscard]] Estimate corrected_half_period(double e) const;
 
  private:
+  void require(double e, double T) const;
   [[nodiscard]] double first(double e, double T) const;
   [[nodiscard]] double second(double e, double T) const;
   [[nodiscard]] double third(double e, double T) const;
+  [[nodiscard]] double lengthening() const;  ///< half period = pi/alpha (1 + lengthening e^2)
   [[nodiscard]] double fourth_order_size(double e) const;
 
   double equilibrium_;
@@ -42,7 +45,6 @@ class Oscillation {
   double mass_curvature_;  ///< (sqrt mu)''/sqrt mu
   double quadratic_;       ///< a in s'' + alpha^2 (s + a s^2 + b s^3) = 0, ds = sqrt(mu) dR
   double cubic_;           ///< b
-  double period_;          ///< half period = pi/alpha (1 + period e^2)
   double nonlinearity_;
 };
 

@@ -76,8 +76,8 @@ class SlowDeflation {
     double C2_;
     double start_;
     int terms_;
-    double at_start_ = 0;  ///< ws(R_i)
-    double end_ = 0;
+    double at_start_;  ///< ws(R_i)
+    double end_;
     double duration_ = 0;
     std::vector<Piece> pieces_;
   };
