@@ -6,6 +6,7 @@
 
 #include "interruption.hpp"
 #include "progress.hpp"
+#include "turgor/run/asymptotics.hpp"
 #include "turgor/run/directory.hpp"
 #include "turgor/run/info.hpp"
 #include "turgor/run/report.hpp"
@@ -86,6 +87,13 @@ int print_info(const CaseArguments& arguments) {
   require_free_motion(c);
   const CaseInfo info = case_info(c);
   std::cout << (arguments.json ? info_json(c, info) : info_text(c, info));
+  return exit_done;
+}
+
+int print_asymptotics(const AsymptoticsArguments& arguments) {
+  const Case c = read(arguments.input);
+  const AsymptoticsReport report = asymptotics_report(c, arguments.from);
+  std::cout << (arguments.input.json ? asymptotics_json(c, report) : asymptotics_text(c, report));
   return exit_done;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // What each command does once its arguments are known. Each returns the program's exit code.
 
+#include <optional>
 #include <string>
 
 #include "arguments.hpp"
@@ -60,9 +61,15 @@ CLI::App* add_flow(CLI::App& app, FlowArguments& arguments);
 CLI::App* add_coefficients(CLI::App& app, CoefficientArguments& arguments);
 CLI::App* add_profile(CLI::App& app, ProfileArguments& arguments);
 
+struct AsymptoticsArguments {
+  CaseArguments input;
+  std::optional<double> from;
+};
+
 int run_case_file(const RunArguments& arguments);
 int write_force_history(const ForceArguments& arguments);
 int print_info(const CaseArguments& arguments);
+int print_asymptotics(const AsymptoticsArguments& arguments);
 int validate_case_file(const CaseArguments& arguments);
 int print_documentation(const DocArguments& arguments);
 int print_materials(bool json);

@@ -1,4 +1,4 @@
-// The command line: turgor run | force | sweep | info | flow | coefficients | profile | validate | doc | materials.
+// The command line: one subcommand each for a run, a study, a question, a document.
 
 #include <unistd.h>
 
@@ -28,6 +28,13 @@ int hand_over_to_sweep(char** argv) {
   std::cerr << "error: cannot start " << program.string() << " (" << std::strerror(errno)  // NOLINT: one thread
             << "); it is built and installed together with turgor unless TURGOR_SWEEP is OFF\n";
   return turgor::cli::exit_failed;
+}
+
+/// "run, sweep, info"
+std::string command_names(const CLI::App& app) {
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands({})) names += (names.empty() ? "" : ", ") + command->get_name();
+  return names;
 }
 
 }  // namespace
@@ -78,6 +85,13 @@ int main(int argc, char** argv) {
   CLI::App* coefficients_command = add_coefficients(app, coefficients);
   ProfileArguments profile;
   CLI::App* profile_command = add_profile(app, profile);
+  AsymptoticsArguments asymptotics;
+  CLI::App* asymptotics_command = app.add_subcommand(
+      "asymptotics",
+      "the closed approximations of equilibria and free motion at the final pressure, with their errors");
+  add_case(*asymptotics_command, asymptotics.input);
+  asymptotics_command->add_option("--from", asymptotics.from, "stretch from which the balloon deflates")
+      ->type_name("STRETCH");
 
   CaseArguments validate;
   CLI::App* validate_command =
@@ -98,9 +112,7 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty()) {
-      std::cerr << "error: unknown command \"" << argv[1]
-                << "\"; commands are run, force, sweep, info, flow, coefficients, profile, validate, doc, "
-                   "materials\n";
+      std::cerr << "error: unknown command \"" << argv[1] << "\"; commands are " << command_names(app) << "\n";
       return exit_bad_input;
     }
     return app.exit(error) == 0 ? exit_done : exit_bad_input;
@@ -114,6 +126,9 @@ int main(int argc, char** argv) {
     return guarded(coefficients.json, [&] { return print_coefficients(coefficients); });
   }
   if (profile_command->parsed()) return guarded(profile.json, [&] { return print_profile(profile); });
+  if (asymptotics_command->parsed()) {
+    return guarded(asymptotics.input.json, [&] { return print_asymptotics(asymptotics); });
+  }
   if (validate_command->parsed()) return guarded(validate.json, [&] { return validate_case_file(validate); });
   if (doc_command->parsed()) return guarded(doc.json, [&] { return print_documentation(doc); });
   return guarded(materials_json, [&] { return print_materials(materials_json); });
