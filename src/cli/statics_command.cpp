@@ -46,9 +46,8 @@ std::string draw(const Case& c, const StaticStudy& study, const std::filesystem:
   std::string problem = draw_statics(c, study, folder);
   if (problem.empty() && study.over) problem = draw_over(c, study, folder);
   if (const auto map = mooney_rivlin_map(c); problem.empty() && map) {
-    problem =
-        draw_bistability_map(map->map, {"Mooney-Rivlin balloons: two stable states", "S_1/S_2 [1]", "P_0/S_2 [1]"},
-                             {{map->ratio, study.pressure / map->unit}}, folder, "bistability");
+    problem = draw_bistability_map(map->map, {"Mooney-Rivlin balloons: two stable states", "S1/S2 [1]", "P0/S2 [1]"},
+                                   {{map->ratio, study.pressure / map->unit}}, folder, "bistability");
   }
   return problem;
 }
@@ -82,10 +81,11 @@ int print_statics(const StaticsArguments& arguments) {
   if (!directory.empty()) {
     const ResultFolder folder(directory,
                               {"statics directory",
-                               {"case.toml", "statics.csv", "branches.csv", "statics.json"},
+                               {"case.toml", "resolved.toml", "statics.csv", "branches.csv", "statics.json"},
                                {"statics", "over", "plane", "bistability"}},
                               arguments.results.force);
     folder.write_first("case.toml", c.source);
+    folder.write("resolved.toml", c.resolved);
     folder.write("statics.csv", statics_csv(c, study));
     if (study.over) folder.write("branches.csv", branches_csv(study));
     folder.write("statics.json", json);

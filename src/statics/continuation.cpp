@@ -31,7 +31,9 @@ class Follower {
   };
 
   [[nodiscard]] bool inside(const VectorXd& x) const {
-    return (x.array() >= problem_.least.array()).all() && (x.array() <= problem_.greatest.array()).all();
+    constexpr double rounding = 1e-12;
+    return (x.array() >= problem_.least.array() - rounding).all() &&
+           (x.array() <= problem_.greatest.array() + rounding).all();
   }
   /// The solution in a plane near x.
   [[nodiscard]] std::optional<VectorXd> solve(VectorXd x, const Plane& plane) const;

@@ -18,8 +18,8 @@ using Eigen::VectorXd;
 struct Unit {
   ParameterRange range;
   [[nodiscard]] double value(double share) const {
-    if (share == 0) return range.from;
-    if (share == 1) return range.to;
+    if (share <= 0) return range.from;
+    if (share >= 1) return range.to;
     return range.from + share * (range.to - range.from);
   }
   [[nodiscard]] double share(double value) const { return (value - range.from) / (range.to - range.from); }
@@ -47,34 +47,35 @@ ContinuationProblem problem_of(Residual residual, Index parameters, double least
   return problem;
 }
 
-bool ends_there(const std::vector<RestCurve>& curves, double parameter, double first, double stretch) {
+bool ends_at(const std::vector<Branch>& branches, const VectorXd& x) {
   constexpr double close = 1e-6;
-  return std::ranges::any_of(curves, [&](const RestCurve& curve) {
-    const RestPoint& last = curve.points.back();
-    return last.parameter == parameter && std::abs(std::log(last.stretch / stretch)) < close &&
-           std::abs(last.first - first) <= close * std::abs(first);
+  return std::ranges::any_of(branches, [&](const Branch& branch) {
+    return (branch.points.front().x - x).norm() < close || (branch.points.back().x - x).norm() < close;
   });
 }
 
-/// Follows curves from their points at both ends of the last parameter's range.
-/// @param starts  (ln R, shares) at an end of the range
+/// Follows every curve from where it meets the boundary of the box.
+/// @param starts  solutions on the boundary; one of the two directions leaves the box at once
 /// @param point   reads a solution
-template <class Starts, class Point>
-std::vector<RestCurve> follow_all(const ContinuationProblem& problem, const Starts& starts, const Point& point) {
+template <class Point>
+std::vector<RestCurve> follow_all(const ContinuationProblem& problem, const std::vector<VectorXd>& starts,
+                                  const Point& point) {
+  std::vector<Branch> branches;
+  for (const VectorXd& start : starts) {
+    if (ends_at(branches, start)) continue;
+    Branch up = follow_branch(problem, start, 1);
+    Branch down = follow_branch(problem, start, -1);
+    Branch& longer = up.points.size() >= down.points.size() ? up : down;
+    if (longer.points.size() > 1) branches.push_back(std::move(longer));
+  }
   std::vector<RestCurve> curves;
-  for (const double end : {0.0, 1.0}) {
-    for (const VectorXd& start : starts(end)) {
-      const RestPoint first = point(start);
-      if (ends_there(curves, first.parameter, first.first, first.stretch)) continue;
-      const Branch branch = follow_branch(problem, start, end == 0 ? 1 : -1);
-      if (branch.points.empty()) continue;
-      RestCurve curve{{}, branch.end};
-      for (const BranchPoint& p : branch.points) {
-        curve.points.push_back(point(p.x));
-        curve.points.back().turning = p.fold;
-      }
-      curves.push_back(std::move(curve));
+  for (const Branch& branch : branches) {
+    RestCurve curve{{}, branch.end};
+    for (const BranchPoint& p : branch.points) {
+      curve.points.push_back(point(p.x));
+      curve.points.back().turning = p.fold;
     }
+    curves.push_back(std::move(curve));
   }
   return curves;
 }
@@ -99,14 +100,13 @@ std::vector<RestCurve> equilibrium_curves(const LoadedFamily& family, const Para
     jacobian << R * static_pressure(at(x).parameters, R).slope / scale, difference(problem, x, 1, parameter_step);
     return jacobian;
   };
-  const auto starts = [&](double end) {
-    const LoadedBalloon& balloon = ends[end == 0 ? 0 : 1];
-    std::vector<VectorXd> found;
+  std::vector<VectorXd> starts;
+  for (const int end : {0, 1}) {
+    const LoadedBalloon& balloon = ends.at(static_cast<std::size_t>(end));
     for (const Equilibrium& state : equilibria(balloon.parameters, balloon.pressure)) {
-      found.push_back(Eigen::Vector2d(std::log(state.stretch), end));
+      starts.push_back(Eigen::Vector2d(std::log(state.stretch), end));
     }
-    return found;
-  };
+  }
   return follow_all(problem, starts, [&](const VectorXd& x) {
     const LoadedBalloon balloon = at(x);
     const double R = std::exp(x(0));
@@ -128,13 +128,12 @@ std::vector<RestCurve> limit_point_curves(const BalloonFamily& family, const Par
     jacobian << difference(problem, x, 0, stretch_step), difference(problem, x, 1, parameter_step);
     return jacobian;
   };
-  const auto starts = [&](double end) {
-    std::vector<VectorXd> found;
+  std::vector<VectorXd> starts;
+  for (const int end : {0, 1}) {
     for (const LimitPoint& point : limit_points(family(unit.value(end)))) {
-      found.push_back(Eigen::Vector2d(std::log(point.stretch), end));
+      starts.push_back(Eigen::Vector2d(std::log(point.stretch), end));
     }
-    return found;
-  };
+  }
   return follow_all(problem, starts, [&](const VectorXd& x) {
     const double R = std::exp(x(0));
     return RestPoint{unit.value(x(1)), 0, R, static_pressure(at(x), R).value, false, false};
@@ -160,17 +159,20 @@ std::vector<RestCurve> limit_point_curves(const TwoParameterFamily& family, cons
         difference(problem, x, 2, parameter_step);
     return jacobian;
   };
-  const auto starts = [&](double end) {
-    std::vector<VectorXd> found;
-    const auto section = [&](double value) { return family(value, unit_2.value(end)); };
-    for (const RestCurve& curve : equilibrium_curves(section, first)) {
+  std::vector<VectorXd> starts;
+  const auto add_turns = [&](const LoadedFamily& section, const ParameterRange& range, const auto& place) {
+    for (const RestCurve& curve : equilibrium_curves(section, range)) {
       for (const RestPoint& point : curve.points) {
-        if (!point.turning) continue;
-        found.push_back(Eigen::Vector3d(std::log(point.stretch), unit_1.share(point.parameter), end));
+        if (point.turning && point.stretch > 1) starts.push_back(place(std::log(point.stretch), point.parameter));
       }
     }
-    return found;
   };
+  for (const int end : {0, 1}) {  // on the two ends of the second range, then of the first
+    add_turns([&](double value) { return family(value, unit_2.value(end)); }, first,
+              [&](double x, double value) { return Eigen::Vector3d(x, unit_1.share(value), end); });
+    add_turns([&](double value) { return family(unit_1.value(end), value); }, second,
+              [&](double x, double value) { return Eigen::Vector3d(x, end, unit_2.share(value)); });
+  }
   return follow_all(problem, starts, [&](const VectorXd& x) {
     const LoadedBalloon balloon = at(x);
     return RestPoint{unit_2.value(x(2)), unit_1.value(x(1)), std::exp(x(0)), balloon.pressure, false, false};

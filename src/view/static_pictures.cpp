@@ -14,6 +14,8 @@ namespace {
 
 constexpr const char* shade = "'grey90'";
 const std::string unstable_dashes = "(9,6)";
+const std::string fine_dashes = "(4,7)";
+const std::string dots_and_dashes = "(24,8,4,8)";
 
 /// A unit of the axes of these pictures.
 struct Shown {
@@ -67,9 +69,9 @@ void add_pressures(Plot& plot, const Case& c, const StaticStudy& study, const st
   for (std::size_t i = 0; i < study.windows.size(); ++i) {
     if (!study.windows[i].maxwell) continue;
     plot.add("maxwell" + std::to_string(i), level(pa(*study.windows[i].maxwell), from, to),
-             line_style(green, i == 0 ? "equally deep wells (Maxwell)" : "", "(3,3)"));
+             line_style(green, i == 0 ? "equally deep wells (Maxwell)" : "", fine_dashes));
   }
-  plot.add("final", level(pa(study.pressure), from, to), line_style("black", "final pressure", "(12,4,2,4)"));
+  plot.add("final", level(pa(study.pressure), from, to), line_style("black", "final pressure", dots_and_dashes));
   Curve limits;
   Curve rests;
   for (const LimitPoint& point : study.limit_points) limits.push_back({point.stretch, pa(point.pressure), false});
@@ -140,7 +142,7 @@ std::string draw_statics(const Case& c, const StaticStudy& study, const std::fil
   }
   highest = std::max(highest, pa(study.pressure));
 
-  std::string commands = "set multiplot\nset lmargin at screen 0.13; set rmargin at screen 0.97\n";
+  std::string commands = "set multiplot\nset lmargin at screen 0.16; set rmargin at screen 0.97\n";
   commands += "set xrange [" + rounded(rows.front().stretch, 8) + ":" + rounded(rows.back().stretch, 8) + "]\n";
   commands += "set yrange [" + rounded(1.15 * lowest, 10) + ":" + rounded(1.3 * highest, 10) + "]\n";
   commands += "set tmargin at screen 0.92; set bmargin at screen 0.42\nset title " + quoted(c.title) + "\n";
@@ -148,7 +150,8 @@ std::string draw_statics(const Case& c, const StaticStudy& study, const std::fil
   commands += "set key bottom right font ',12' opaque\n" + shaded(c, study) + pressure.command();
   commands += "unset object\nset tmargin at screen 0.39; set bmargin at screen 0.12\nunset title\nset format x '%g'\n";
   commands += "set ylabel " + label("potential energy", joule) + " offset 1\nset xlabel 'stretch R = r/r_0 [1]'\n";
-  commands += "set key top right\n" + energy_range(c, study, energy) + energies.command() + "unset multiplot\n";
+  commands +=
+      "set key noopaque top center\n" + energy_range(c, study, energy) + energies.command() + "unset multiplot\n";
   constexpr PictureSize size{800, 720};
   return gnuplot(folder, "statics", pressure.data() + energies.data(), commands, size);
 }
@@ -187,9 +190,9 @@ MapPlot map_plot(const BistabilityMap& map, const MapLabels& labels, const std::
   Plot plot;
   plot.add("upper", upper, line_style(vermilion, "maximum: beyond it the small state is gone"));
   plot.add("lower", lower, line_style(blue, "minimum: below it the large state is gone"));
-  plot.add("maxwell", maxwell, line_style(green, "equally deep wells (Maxwell)", "(3,3)"));
+  plot.add("maxwell", maxwell, line_style(green, "equally deep wells (Maxwell)", fine_dashes));
   plot.add("load", marks,
-           marks.size() > 1 ? line_style("black", "this case", "(12,4,2,4)") : points_style("black", "this case"));
+           marks.size() > 1 ? line_style("black", "this case", dots_and_dashes) : points_style("black", "this case"));
   plot.add("cusps", cusps, points_style(orange, "cusp", 5));
   const std::string command = plot.command();
   return {region + "EOD\n" + plot.data(), "plot $region with filledcurves lc rgb " + std::string(shade) +
@@ -198,7 +201,7 @@ MapPlot map_plot(const BistabilityMap& map, const MapLabels& labels, const std::
 
 std::string map_axes(const MapLabels& labels) {
   return "set xlabel " + quoted(labels.parameter) + "\nset ylabel " + quoted(labels.pressure) +
-         " offset 1\nset key top left font ',11' opaque\nset yrange [*:*]\nset offsets 0,0,graph 0.25,graph 0.05\n";
+         " offset 1\nset key below font ',11' maxrows 3\nset yrange [*:*]\nset offsets 0,0,graph 0.05,graph 0.05\n";
 }
 
 MapLabels labels_of(const Case& c, const KeyRange& range) {
@@ -235,7 +238,6 @@ std::string draw_plane(const Case& c, const PlaneStudy& plane, const std::filesy
   const Shown first = shown(c, plane.first.unit);
   const Shown second = shown(c, plane.second.unit);
   Curve lines;
-  Curve cusps;
   for (const RestCurve& curve : plane.limit_points) {
     bool starts = true;
     for (const RestPoint& point : curve.points) {
@@ -244,12 +246,13 @@ std::string draw_plane(const Case& c, const PlaneStudy& plane, const std::filesy
     }
   }
   Plot plot;
-  plot.add("limits", lines, line_style(blue, "limit points: the number of equilibria changes"));
+  plot.add("limits", lines, line_style(blue, ""));
   if (lines.empty()) return {};
-  std::string commands = "set title " + quoted(c.title) + "\n" + x_range(plane.first, first);
+  std::string commands =
+      "set title " + quoted(c.title + ": limit points of the static pressure") + "\n" + x_range(plane.first, first);
   commands += "set yrange [" + rounded(second(plane.second.from), 10) + ":" + rounded(second(plane.second.to), 10) +
               "]\nset xlabel " + label(plane.first.key, first) + "\nset ylabel " + label(plane.second.key, second) +
-              "\nset key top left font ',12' opaque\n";
+              "\nunset key\n";
   return gnuplot(folder, "plane", plot.data(), commands + plot.command());
 }
 
@@ -277,7 +280,7 @@ std::string draw_over(const Case& c, const StaticStudy& study, const std::filesy
       data += stretches.data();
       commands += "set title 'states of rest at the final pressure' font ',14'\nset xlabel " +
                   quoted(labels.parameter) +
-                  "\nset ylabel 'stretch R = r/r_0 [1]' offset 1\nset key top left font ',12' opaque\n" +
+                  "\nset ylabel 'stretch R = r/r_0 [1]' offset 1\nset key below font ',11' maxrows 3\n" +
                   "set offsets 0,0,graph 0.1,graph 0.05\n" + stretches.command();
     }
     if (has_map) {
@@ -295,7 +298,8 @@ std::string draw_over(const Case& c, const StaticStudy& study, const std::filesy
 std::string draw_bistability_map(const BistabilityMap& map, const MapLabels& labels, const std::vector<MapMark>& load,
                                  const std::filesystem::path& folder, const std::string& name) {
   const MapPlot plot = map_plot(map, labels, load);
-  return gnuplot(folder, name, plot.data, "set title " + quoted(labels.title) + "\n" + map_axes(labels) + plot.command);
+  return gnuplot(folder, name, plot.data,
+                 "set title " + quoted(labels.title) + "\nset autoscale xfix\n" + map_axes(labels) + plot.command);
 }
 
 }  // namespace turgor

@@ -183,6 +183,22 @@ TEST(Families, LimitPointsInThePlaneOfTwoParameters) {
   EXPECT_EQ(cusps, 1);
 }
 
+// Both curves leave the plane through the ends of the pressure's range.
+TEST(Families, LimitPointsThatMeetOnlyTheFirstRange) {
+  const auto family = [](double pressure, double ratio) { return LoadedBalloon{balloon(ratio), pressure}; };
+  const auto curves = limit_point_curves(family, {6.5, 7}, {4, 14});
+  ASSERT_EQ(curves.size(), 2U);
+  for (const RestCurve& curve : curves) {
+    EXPECT_EQ(curve.end, BranchEnd::left_box);
+    EXPECT_NEAR(std::abs(curve.points.front().first - curve.points.back().first), 0.5, 1e-12);
+    for (const RestPoint& point : curve.points) {
+      const StaticPressure p0 = static_pressure(balloon(point.parameter), point.stretch);
+      EXPECT_NEAR(p0.value, point.first, 1e-11);
+      EXPECT_NEAR(p0.slope, 0, 1e-11);
+    }
+  }
+}
+
 TEST(Families, NothingIsFoundWhereNothingIs) {
   const auto neo_hookean = [](double) {
     auto p = balloon(10);

@@ -17,7 +17,7 @@ struct ContinuationProblem {
   /// those decide on their accuracy.
   std::function<Eigen::MatrixXd(const Eigen::VectorXd&)> jacobian;
   Eigen::VectorXd least;     ///< the branch is followed up to where it leaves this box; residual and jacobian are never
-  Eigen::VectorXd greatest;  ///< evaluated outside of it
+  Eigen::VectorXd greatest;  ///< evaluated outside of it, but for 1e-12
 };
 
 struct ContinuationOptions {

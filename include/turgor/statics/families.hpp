@@ -48,7 +48,7 @@ struct RestCurve {
 [[nodiscard]] std::vector<RestCurve> limit_point_curves(const BalloonFamily& family, const ParameterRange& range);
 
 /// Pairs of parameters at which an equilibrium is a limit point: where, in the plane of both, the number of equilibria
-/// changes. Every curve that meets an end of the second parameter's range.
+/// changes. Every curve that meets an end of either range.
 [[nodiscard]] std::vector<RestCurve> limit_point_curves(const TwoParameterFamily& family, const ParameterRange& first,
                                                         const ParameterRange& second);
 
