@@ -51,6 +51,12 @@ Key ranged_key(const Case& c, const std::string& option, const std::string& path
   if (found->kind != ValueKind::quantity && found->kind != ValueKind::number) {
     throw InvalidInput(option, path, "does not take a number", "give a key that takes a quantity or a number");
   }
+  Node places = *c.tree;
+  try {
+    static_cast<void>(place_value(places, path));
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(option, path, error.issues().front().problem, "give a key that the case can have");
+  }
   return *found;
 }
 

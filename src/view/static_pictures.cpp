@@ -188,9 +188,9 @@ MapPlot map_plot(const BistabilityMap& map, const MapLabels& labels, const std::
   Curve marks;
   for (const MapMark& mark : load) marks.push_back({x(mark.parameter), y(mark.pressure), false});
   Plot plot;
-  plot.add("upper", upper, line_style(vermilion, "maximum: beyond it the small state is gone"));
-  plot.add("lower", lower, line_style(blue, "minimum: below it the large state is gone"));
-  plot.add("maxwell", maxwell, line_style(green, "equally deep wells (Maxwell)", fine_dashes));
+  plot.add("upper", upper, line_style(vermilion, "maximum"));
+  plot.add("lower", lower, line_style(blue, "minimum"));
+  plot.add("maxwell", maxwell, line_style(green, "Maxwell", fine_dashes));
   plot.add("load", marks,
            marks.size() > 1 ? line_style("black", "this case", dots_and_dashes) : points_style("black", "this case"));
   plot.add("cusps", cusps, points_style(orange, "cusp", 5));
@@ -201,7 +201,8 @@ MapPlot map_plot(const BistabilityMap& map, const MapLabels& labels, const std::
 
 std::string map_axes(const MapLabels& labels) {
   return "set xlabel " + quoted(labels.parameter) + "\nset ylabel " + quoted(labels.pressure) +
-         " offset 1\nset key below font ',11' maxrows 3\nset yrange [*:*]\nset offsets 0,0,graph 0.05,graph 0.05\n";
+         " offset 1\nset key top left font ',11' maxrows 3 width -3\nset yrange [*:*]\nset offsets 0,0,graph "
+         "0.18,graph 0.05\n";
 }
 
 MapLabels labels_of(const Case& c, const KeyRange& range) {
@@ -280,8 +281,8 @@ std::string draw_over(const Case& c, const StaticStudy& study, const std::filesy
       data += stretches.data();
       commands += "set title 'states of rest at the final pressure' font ',14'\nset xlabel " +
                   quoted(labels.parameter) +
-                  "\nset ylabel 'stretch R = r/r_0 [1]' offset 1\nset key below font ',11' maxrows 3\n" +
-                  "set offsets 0,0,graph 0.1,graph 0.05\n" + stretches.command();
+                  "\nset ylabel 'stretch R = r/r_0 [1]' offset 1\nset key top left font ',11' maxrows 3 width -3\n" +
+                  "set offsets 0,0,graph 0.15,graph 0.05\n" + stretches.command();
     }
     if (has_map) {
       const MapPlot map = map_plot(over.map, labels, load);
@@ -299,7 +300,8 @@ std::string draw_bistability_map(const BistabilityMap& map, const MapLabels& lab
                                  const std::filesystem::path& folder, const std::string& name) {
   const MapPlot plot = map_plot(map, labels, load);
   return gnuplot(folder, name, plot.data,
-                 "set title " + quoted(labels.title) + "\nset autoscale xfix\n" + map_axes(labels) + plot.command);
+                 "set title " + quoted(labels.title) + "\n" + map_axes(labels) +
+                     "set autoscale xfix\nset offsets graph 0.04,0,graph 0.18,graph 0.05\n" + plot.command);
 }
 
 }  // namespace turgor
