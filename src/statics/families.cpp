@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "shape.hpp"
 
@@ -45,6 +46,15 @@ ContinuationProblem problem_of(Residual residual, Index parameters, double least
   problem.least(0) = std::log(least_stretch);
   problem.greatest(0) = std::log(greatest_stretch);
   return problem;
+}
+
+/// The static pressure where equilibria() would look; beyond, not a number, which ends a curve.
+StaticPressure pressure_within(const Parameters<double>& p, double R) {
+  constexpr double rounding = 1e-9;
+  const Shape shape(p);
+  const bool within = R > shape.least_stretch() * (1 - rounding) && R < shape.greatest_stretch() * (1 + rounding);
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  return within ? static_pressure(p, R) : StaticPressure{nothing, nothing};
 }
 
 bool ends_at(const std::vector<Branch>& branches, const VectorXd& x) {
@@ -90,7 +100,7 @@ std::vector<RestCurve> equilibrium_curves(const LoadedFamily& family, const Para
                                 pressure_scale(ends[1].parameters, ends[1].pressure));
   const auto residual = [&](const VectorXd& x) {
     const LoadedBalloon balloon = at(x);
-    const double p0 = static_pressure(balloon.parameters, std::exp(x(0))).value;
+    const double p0 = pressure_within(balloon.parameters, std::exp(x(0))).value;
     return VectorXd::Constant(1, (p0 - balloon.pressure) / scale);
   };
   ContinuationProblem problem = problem_of(residual, 1, smallest_stretch, largest_stretch);
@@ -120,7 +130,7 @@ std::vector<RestCurve> limit_point_curves(const BalloonFamily& family, const Par
   const auto at = [&](const VectorXd& x) { return family(unit.value(x(1))); };
   const double scale = pressure_scale(family(range.from), 0);
   const auto residual = [&](const VectorXd& x) {
-    return VectorXd::Constant(1, static_pressure(at(x), std::exp(x(0))).slope / scale);
+    return VectorXd::Constant(1, pressure_within(at(x), std::exp(x(0))).slope / scale);
   };
   ContinuationProblem problem = problem_of(residual, 1, 1, largest_stretch);
   problem.jacobian = [&](const VectorXd& x) {
@@ -149,7 +159,7 @@ std::vector<RestCurve> limit_point_curves(const TwoParameterFamily& family, cons
   const double scale = pressure_scale(corner.parameters, corner.pressure);
   const auto residual = [&](const VectorXd& x) {
     const LoadedBalloon balloon = at(x);
-    const StaticPressure p0 = static_pressure(balloon.parameters, std::exp(x(0)));
+    const StaticPressure p0 = pressure_within(balloon.parameters, std::exp(x(0)));
     return VectorXd(Eigen::Vector2d((p0.value - balloon.pressure) / scale, p0.slope / scale));
   };
   ContinuationProblem problem = problem_of(residual, 2, 1, largest_stretch);
