@@ -40,6 +40,13 @@ struct FlowArguments {
   bool quiet = false;
 };
 
+struct StaticsArguments {
+  CaseArguments input;
+  ResultArguments results;
+  std::vector<std::string> over;
+  std::string compliance;
+};
+
 struct CoefficientArguments {
   ResultArguments results;
   std::string kappa;
@@ -57,6 +64,7 @@ struct ProfileArguments {
 };
 
 // Each declares a command with its arguments, which must outlive `app`.
+CLI::App* add_statics(CLI::App& app, StaticsArguments& arguments);
 CLI::App* add_flow(CLI::App& app, FlowArguments& arguments);
 CLI::App* add_coefficients(CLI::App& app, CoefficientArguments& arguments);
 CLI::App* add_profile(CLI::App& app, ProfileArguments& arguments);
@@ -73,6 +81,7 @@ int print_asymptotics(const AsymptoticsArguments& arguments);
 int validate_case_file(const CaseArguments& arguments);
 int print_documentation(const DocArguments& arguments);
 int print_materials(bool json);
+int print_statics(const StaticsArguments& arguments);
 int write_flow(const FlowArguments& arguments);
 int print_coefficients(const CoefficientArguments& arguments);
 int print_profile(const ProfileArguments& arguments);

@@ -79,6 +79,8 @@ int main(int argc, char** argv) {
       "info", "dimensionless groups, limit points, equilibria, time constants, strained assumptions");
   add_case(*info_command, info);
 
+  StaticsArguments statics;
+  CLI::App* statics_command = add_statics(app, statics);
   FlowArguments flow;
   CLI::App* flow_command = add_flow(app, flow);
   CoefficientArguments coefficients;
@@ -121,6 +123,7 @@ int main(int argc, char** argv) {
   if (run_command->parsed()) return guarded(run.input.json, [&] { return run_case_file(run); });
   if (force_command->parsed()) return guarded(force.input.json, [&] { return write_force_history(force); });
   if (info_command->parsed()) return guarded(info.json, [&] { return print_info(info); });
+  if (statics_command->parsed()) return guarded(statics.input.json, [&] { return print_statics(statics); });
   if (flow_command->parsed()) return guarded(flow.input.json, [&] { return write_flow(flow); });
   if (coefficients_command->parsed()) {
     return guarded(coefficients.json, [&] { return print_coefficients(coefficients); });
