@@ -55,8 +55,18 @@ struct ProfileArguments {
   bool json = false;
 };
 
+struct PortraitArguments {
+  CaseArguments input;
+  ResultArguments results;
+  std::string pressure;
+  std::string stretches;
+  std::string rates;
+  bool quiet = false;
+};
+
 // Each declares a command with its arguments, which must outlive `app`.
 CLI::App* add_flow(CLI::App& app, FlowArguments& arguments);
+CLI::App* add_portrait(CLI::App& app, PortraitArguments& arguments);
 CLI::App* add_coefficients(CLI::App& app, CoefficientArguments& arguments);
 CLI::App* add_profile(CLI::App& app, ProfileArguments& arguments);
 
@@ -67,6 +77,7 @@ int validate_case_file(const CaseArguments& arguments);
 int print_documentation(const DocArguments& arguments);
 int print_materials(bool json);
 int write_flow(const FlowArguments& arguments);
+int write_portrait(const PortraitArguments& arguments);
 int print_coefficients(const CoefficientArguments& arguments);
 int print_profile(const ProfileArguments& arguments);
 

@@ -1,4 +1,5 @@
-// The command line: turgor run | force | sweep | info | flow | coefficients | profile | validate | doc | materials.
+// The command line: turgor run | force | sweep | info | portrait | flow | coefficients | profile | validate | doc |
+// materials.
 
 #include <unistd.h>
 
@@ -72,6 +73,8 @@ int main(int argc, char** argv) {
       "info", "dimensionless groups, limit points, equilibria, time constants, strained assumptions");
   add_case(*info_command, info);
 
+  PortraitArguments portrait;
+  CLI::App* portrait_command = add_portrait(app, portrait);
   FlowArguments flow;
   CLI::App* flow_command = add_flow(app, flow);
   CoefficientArguments coefficients;
@@ -99,7 +102,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty()) {
       std::cerr << "error: unknown command \"" << argv[1]
-                << "\"; commands are run, force, sweep, info, flow, coefficients, profile, validate, doc, "
+                << "\"; commands are run, force, sweep, info, portrait, flow, coefficients, profile, validate, doc, "
                    "materials\n";
       return exit_bad_input;
     }
@@ -109,6 +112,7 @@ int main(int argc, char** argv) {
   if (run_command->parsed()) return guarded(run.input.json, [&] { return run_case_file(run); });
   if (force_command->parsed()) return guarded(force.input.json, [&] { return write_force_history(force); });
   if (info_command->parsed()) return guarded(info.json, [&] { return print_info(info); });
+  if (portrait_command->parsed()) return guarded(portrait.input.json, [&] { return write_portrait(portrait); });
   if (flow_command->parsed()) return guarded(flow.input.json, [&] { return write_flow(flow); });
   if (coefficients_command->parsed()) {
     return guarded(coefficients.json, [&] { return print_coefficients(coefficients); });

@@ -60,6 +60,11 @@ StaticPressure static_pressure(const Parameters<double>& p, double R) {
   return {factor * tension.value, factor * tension.slope};
 }
 
+StretchLimits<double> statics_limits(const Parameters<double>& p) {
+  const Shape shape(p);
+  return {shape.least_stretch(), shape.greatest_stretch()};
+}
+
 namespace {
 
 /// An extremum of the static pressure.
