@@ -38,6 +38,10 @@ PortraitQuestion question_of(const PortraitArguments& arguments) {
       throw InvalidInput("--rate-range", arguments.rates, "must have 0 inside",
                          "write for example -0.01:200; both in 1/s, either may be left out");
     }
+    constexpr double fastest = 1e9;
+    if (range.from.value_or(-1) < -fastest || range.to.value_or(1) > fastest) {
+      throw InvalidInput("--rate-range", arguments.rates, "out of range", "allowed are -1e9 to 1e9, in 1/s");
+    }
     question.window.deflation = -range.from.value_or(0);
     question.window.inflation = range.to.value_or(0);
   }

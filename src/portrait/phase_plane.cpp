@@ -58,7 +58,8 @@ void PhasePlane::require_state(double R, double rate) const {
     throw InvalidInput("R", shortest(R), "out of range",
                        "allowed are " + shortest(least_) + " to " + shortest(greatest_));
   }
-  if (!std::isfinite(rate)) throw InvalidInput("dR/dT", shortest(rate), "is not finite");
+  constexpr double fastest = 1e100;  // its square is still a number
+  if (!(std::abs(rate) <= fastest)) throw InvalidInput("dR/dT", shortest(rate), "is not a finite rate");
 }
 
 namespace {
@@ -108,7 +109,7 @@ Fate PhasePlane::final_well(double R, double rate) const {
     }
     earlier = turn;
     regime = opposite(regime);
-    at = {turn.place, 0};
+    at = end.held;
   }
   return {Outcome::max_events, 0, at.place.stretch, most};
 }

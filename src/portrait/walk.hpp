@@ -17,7 +17,9 @@ struct Held {
 /// Where a walk ends.
 struct WalkEnd {
   Held held;
-  bool turned;  ///< at a zero of the rate; else at the end of the way or at the limit of the rate
+  /// At a zero of the rate, or bounced off a wall that locks, where the energy is that of the next stroke; else at the
+  /// end of the way or at the limit of the rate.
+  bool turned;
 };
 
 class Walk {
@@ -30,6 +32,8 @@ class Walk {
     knots_.push_back({exact ? plane.least_stretch() : squeezed, 0});
     for (const Equilibrium& e : plane.equilibria()) knots_.push_back(at_rest(e.stretch));
     knots_.push_back({plane.greatest_stretch(), 0});
+    const bool bursts = plane.greatest_stretch() == plane.max_stretch();
+    locks_ = !bursts && stretch_limit(plane.oscillator().parameters().material) < largest_stretch;
   }
   Walk(const Walk&) = delete;
   Walk& operator=(const Walk&) = delete;
@@ -64,7 +68,7 @@ class Walk {
       while (true) {
         double d = (knot.stretch - at.place.stretch) + (knot.rest - at.place.rest);
         if (!(d * sign > 0)) break;
-        if (explodes) d = std::min(d, 4 / way.at(at.place).damping);
+        if (explodes) d = std::min(d, 4 / std::abs(way.at(at.place).damping));
         Held next{at.place.moved(d), way.advanced_far(at.place, d, at.energy)};
         if (explodes && std::abs(point(regime, next).rate) > limit) {
           next = at_limit(at, d, limit);
@@ -79,7 +83,7 @@ class Walk {
         at = next;
       }
     }
-    return {at, false};
+    return {at, locks_ && sign > 0};
   }
   [[nodiscard]] WalkEnd go(Regime regime, Held at) const {
     return go(regime, Course::forward, at, 0, [](const Held&, const Held&) {});
@@ -105,6 +109,7 @@ class Walk {
   long evaluations_ = 0;
   Stroke<double> inflation_;
   Stroke<double> deflation_;
+  bool locks_;                        ///< at the upper end, nearer than numbers tell
   std::vector<Place<double>> knots_;  ///< the ends of the way and the equilibria between them
 };
 

@@ -39,28 +39,26 @@ void require_equilibrium(const PhasePlane& plane) {
   }
 }
 
-void require_window(const PhasePlane& plane, const WindowWishes& wishes, const PhaseWindow& window) {
+void require_stretches(const PhasePlane& plane, const WindowWishes& wishes) {
   for (const double R : {wishes.least_stretch, wishes.greatest_stretch}) {
     if (R == 0 || (R >= plane.least_stretch() && R <= plane.greatest_stretch())) continue;
     throw InvalidInput("--stretch-range", shortest(R), "out of range",
                        "allowed are " + shortest(plane.least_stretch()) + " to " + shortest(plane.greatest_stretch()));
   }
-  if (!(window.least_stretch < window.greatest_stretch)) {
-    throw InvalidInput("--stretch-range", shortest(window.least_stretch) + ":" + shortest(window.greatest_stretch),
-                       "is empty", "give both ends");
-  }
 }
 
 PhaseWindow window_of(const PhasePlane& plane, WindowWishes wishes) {
+  require_stretches(plane, wishes);
   const double clock = plane.oscillator().scales().time;
   wishes.deflation *= clock;
   wishes.inflation *= clock;
-  PhaseWindow window = natural_window(plane, wishes);
-  require_window(plane, wishes, window);
-  return window;
+  const PhaseWindow window = natural_window(plane, wishes);
+  if (window.least_stretch < window.greatest_stretch) return window;
+  throw InvalidInput("--stretch-range", rounded(window.least_stretch) + ":" + rounded(window.greatest_stretch),
+                     "is empty", "give both ends");
 }
 
-/// "at rest in well 1, R = 1.258201", "runs away".
+/// "comes to rest at R = 1.258201", "runs away".
 std::string in_words(const Fate& fate) {
   switch (fate.outcome) {
     case Outcome::at_rest: return "comes to rest at R = " + rounded(fate.stretch, 8);

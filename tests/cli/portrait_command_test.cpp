@@ -139,6 +139,8 @@ TEST(PortraitCommand, AnswersAtEveryPressure) {
   ASSERT_EQ(none.at("at_rest").size(), 1U);
   EXPECT_EQ(none.at("at_rest")[0].at("outcome"), "runaway");
   EXPECT_EQ(turgor(folder, {"portrait", soft, "--pressure", "6 kPa", "-o", "away"}).err, "");
+  const json locked = portrait_json(folder, {"--pressure", "500 GPa"}, shipped("material-gent.toml"));
+  EXPECT_EQ(locked.at("at_rest").back().at("outcome"), "at-rest");
   const json bursts = portrait_json(folder, {"--pressure", bistable, "--set", "material.max_stretch=5.5"});
   EXPECT_EQ(bursts.at("at_rest")[0].at("outcome"), "burst");
   const json closed = portrait_json(
@@ -158,11 +160,13 @@ TEST(PortraitCommand, RefusesWhatCannotBe) {
       {{balloon, "--pressure", "-1e20 kPa"}, "no equilibrium: it squeezes the balloon below R = 0.05"},
       {{gent, "--pressure", "1e20 kPa"}, "no equilibrium: more than the wall holds before it locks at R = "},
       {{balloon, "--rate-range", "1:2"}, "must have 0 inside"},
+      {{balloon, "--rate-range", "-1e200:1"}, "allowed are -1e9 to 1e9"},
       {{balloon, "--rate-range", "5"}, "not of the form FROM:TO"},
       {{balloon, "--rate-range", "-1:x"}, "\"x\" is not a number"},
       {{balloon, "--stretch-range", "3:2"}, "FROM must be less than TO"},
       {{balloon, "--stretch-range", "0:2"}, "stretches are positive"},
       {{balloon, "--stretch-range", "0.01:2"}, "allowed are 0.05 to 100"},
+      {{balloon, "--stretch-range", "150:200"}, "allowed are 0.05 to 100"},
       {{balloon, "--stretch-range", "50:"}, "is empty"},
       {{shipped("motion-orifice-30mm.toml")}, "motion"}};
   for (const Refusal& refusal : refusals) {

@@ -162,6 +162,22 @@ TEST(PhasePlane, SlowManifoldAndItsCorrection) {
   for (const double R : {1.0, 2.1, 4.7}) EXPECT_FALSE(plane.slow_rate(R) || plane.corrected_slow_rate(R));
 }
 
+// A wall that locks turns every motion.
+TEST(PhasePlane, LockingWallsHoldEverything) {
+  Parameters<double> stiff = paper_balloon(0.03, 0.0);
+  stiff.material = Gent<double>{1e6, 30};
+  const Oscillator<double> oscillator(Model::orifice, stiff, constant_pressure(0.0), test::si_scales(stiff));
+  for (const double pressure : {5e3, 5e4, 5e12}) {
+    const PhasePlane plane(oscillator, pressure);
+    ASSERT_FALSE(plane.equilibria().empty());
+    for (const double rate : {-1e3, 0.0, 1.0, 1e4}) {
+      const Fate fate = plane.final_well(2, rate);
+      EXPECT_EQ(fate.outcome, Outcome::at_rest) << pressure << " " << rate;
+      EXPECT_EQ(fate.stretch, plane.equilibria().back().stretch);
+    }
+  }
+}
+
 TEST(PhasePlane, FatesWithoutAWell) {
   Parameters<double> soft = paper_balloon(0.03, 0.0);
   soft.material = NeoHookean<double>{1e6};
@@ -187,6 +203,8 @@ TEST(PhasePlane, FatesWithoutAWell) {
   EXPECT_EQ(closed.final_well(0.95, -50).outcome, Outcome::closure_end);
   EXPECT_THROW((void)closed.final_well(0.8, 0), InvalidInput);
   EXPECT_THROW((void)closed.final_well(2, std::nan("")), InvalidInput);
+  EXPECT_THROW((void)closed.final_well(2, 1e200), InvalidInput);
+  EXPECT_EQ(PhasePlane(paper, bistable).final_well(2, 1e9).outcome, Outcome::runaway);
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ class PhasePlane {
 
   /// Where the motion from a state ends, by chaining half-cycles until a whole one stays in one well without growing.
   /// An unstable equilibrium itself ends at rest in well 0.
-  /// @throws InvalidInput when R is not within [least_stretch(), greatest_stretch()] or the rate is not finite
+  /// @throws InvalidInput when R is not within [least_stretch(), greatest_stretch()] or the rate not within 1e100
   [[nodiscard]] Fate final_well(double R, double rate) const;
 
   /// The path through a state, in the order of the course: at most `strokes` of them, each up to a zero of the rate.
