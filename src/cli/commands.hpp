@@ -63,9 +63,19 @@ struct ProfileArguments {
   bool json = false;
 };
 
+struct PortraitArguments {
+  CaseArguments input;
+  ResultArguments results;
+  std::string pressure;
+  std::string stretches;
+  std::string rates;
+  bool quiet = false;
+};
+
 // Each declares a command with its arguments, which must outlive `app`.
 CLI::App* add_statics(CLI::App& app, StaticsArguments& arguments);
 CLI::App* add_flow(CLI::App& app, FlowArguments& arguments);
+CLI::App* add_portrait(CLI::App& app, PortraitArguments& arguments);
 CLI::App* add_coefficients(CLI::App& app, CoefficientArguments& arguments);
 CLI::App* add_profile(CLI::App& app, ProfileArguments& arguments);
 
@@ -83,6 +93,7 @@ int print_documentation(const DocArguments& arguments);
 int print_materials(bool json);
 int print_statics(const StaticsArguments& arguments);
 int write_flow(const FlowArguments& arguments);
+int write_portrait(const PortraitArguments& arguments);
 int print_coefficients(const CoefficientArguments& arguments);
 int print_profile(const ProfileArguments& arguments);
 

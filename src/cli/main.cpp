@@ -81,6 +81,8 @@ int main(int argc, char** argv) {
 
   StaticsArguments statics;
   CLI::App* statics_command = add_statics(app, statics);
+  PortraitArguments portrait;
+  CLI::App* portrait_command = add_portrait(app, portrait);
   FlowArguments flow;
   CLI::App* flow_command = add_flow(app, flow);
   CoefficientArguments coefficients;
@@ -124,6 +126,7 @@ int main(int argc, char** argv) {
   if (force_command->parsed()) return guarded(force.input.json, [&] { return write_force_history(force); });
   if (info_command->parsed()) return guarded(info.json, [&] { return print_info(info); });
   if (statics_command->parsed()) return guarded(statics.input.json, [&] { return print_statics(statics); });
+  if (portrait_command->parsed()) return guarded(portrait.input.json, [&] { return write_portrait(portrait); });
   if (flow_command->parsed()) return guarded(flow.input.json, [&] { return write_flow(flow); });
   if (coefficients_command->parsed()) {
     return guarded(coefficients.json, [&] { return print_coefficients(coefficients); });

@@ -66,4 +66,21 @@ std::vector<double> kappa_values(const char* name, std::string_view text) {
   return values;
 }
 
+NumberRange number_range(const char* name, std::string_view text) {
+  const auto wrong = [&](const std::string& problem) {
+    return InvalidInput(name, std::string(text), problem, "write FROM:TO; either may be left out");
+  };
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos) throw wrong("is not of the form FROM:TO");
+  const auto value = [&](std::string_view part) -> std::optional<double> {
+    if (part.empty()) return std::nullopt;
+    const auto number = plain_number(part);
+    if (!number) throw wrong("\"" + std::string(part) + "\" is not a number");
+    return number;
+  };
+  const NumberRange range{value(text.substr(0, colon)), value(text.substr(colon + 1))};
+  if (range.from && range.to && !(*range.from < *range.to)) throw wrong("FROM must be less than TO");
+  return range;
+}
+
 }  // namespace turgor::cli

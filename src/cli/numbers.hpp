@@ -15,4 +15,13 @@ namespace turgor::cli {
 /// @throws InvalidInput when the text is malformed, N < 2, FROM >= TO, or a value is not between 0 and 1
 [[nodiscard]] std::vector<double> kappa_values(const char* name, std::string_view text);
 
+/// "FROM:TO", either of which may be left out.
+struct NumberRange {
+  std::optional<double> from;
+  std::optional<double> to;
+};
+/// @param name  of the option, for messages
+/// @throws InvalidInput when the text is malformed or FROM >= TO
+[[nodiscard]] NumberRange number_range(const char* name, std::string_view text);
+
 }  // namespace turgor::cli

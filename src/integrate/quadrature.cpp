@@ -75,7 +75,7 @@ class QuadratureRun final : public HybridRun<T> {
   /// @param stopping_way  where the present deceleration alone would turn the motion
   std::optional<Panel<T>> to_the_turn(const Stroke<T>& stroke, const T& energy, const T& stopping_way) {
     if (!way_to_turn_) {
-      way_to_turn_ = stroke.way_to_turn(place(), energy, 4 * stopping_way);
+      way_to_turn_ = stroke.way_to_turn(place(), energy, this->direction() * 4 * stopping_way);
       ++result_.statistics.event_refinements;
       if (!way_to_turn_) return std::nullopt;
     }

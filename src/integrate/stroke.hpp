@@ -104,13 +104,14 @@ class Stroke {
     return advanced_far(middle, d / 2, advanced_far(from, d / 2, k, depth - 1), depth - 1);
   }
 
-  /// Where the motion with kinetic energy k > 0 turns, if it does within `reach`: the way to there.
+  /// Where the motion with kinetic energy k > 0 turns, if it does within `reach`: the way to there. Both are of either
+  /// sign; against the direction of the stroke time runs backward.
   [[nodiscard]] std::optional<T> way_to_turn(const Place<T>& from, const T& k, const T& reach) const {
     T inside(0);  // moves on towards the turn; k > 0 there
     T energy = k;
     constexpr int parts = 8;
     for (int i = 1; i <= parts; ++i) {
-      const T beyond = direction() * reach * static_cast<T>(i) / parts;
+      const T beyond = reach * static_cast<T>(i) / parts;
       if (!(from.stretch + beyond > least_)) return std::nullopt;
       const T there = advanced_far(from.moved(inside), beyond - inside, energy);
       if (!(there > T(0))) return turn_between(from, inside, energy, beyond);

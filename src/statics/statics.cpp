@@ -46,6 +46,11 @@ StaticPressure static_pressure(const Parameters<double>& p, double R) {
   return {factor * tension.value, factor * tension.slope};
 }
 
+StretchLimits<double> statics_limits(const Parameters<double>& p) {
+  const Shape shape(p);
+  return {shape.least_stretch(), shape.greatest_stretch()};
+}
+
 std::vector<LimitPoint> limit_points(const Parameters<double>& p) {
   std::vector<LimitPoint> points;
   for (const auto& [R, maximum] : extrema(Shape(p))) {

@@ -37,6 +37,9 @@ struct Equilibrium {
 /// Sought between smallest_stretch and the stretch limit (or largest_stretch), and within closure_limits().
 [[nodiscard]] std::vector<Equilibrium> equilibria(const Parameters<double>& p, double pressure);
 
+/// Stretches between which equilibria are sought.
+[[nodiscard]] StretchLimits<double> statics_limits(const Parameters<double>& p);
+
 /// No balloon is compressed below: nothing is sought there, nor outside closure_limits().
 inline constexpr double smallest_stretch = 0.05;
 
