@@ -79,6 +79,14 @@ bool has_not_grown(const Turn& turn, const Turn& earlier, Regime before) {
   return way * static_cast<double>(static_cast<int>(before)) <= rounding * turn.place.stretch;
 }
 
+/// The stable equilibrium of a well; null when it has none.
+const Equilibrium* resident(const PhasePlane& plane, int well) {
+  const auto& all = plane.equilibria();
+  const auto found =
+      std::ranges::find_if(all, [&](const Equilibrium& e) { return e.stable && plane.well_of(e.stretch) == well; });
+  return found == all.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 Fate PhasePlane::final_well(double R, double rate) const {
@@ -103,9 +111,7 @@ Fate PhasePlane::final_well(double R, double rate) const {
     Turn& earlier = last[regime == Regime::inflating ? 1 : 0];
     const Turn& between = last[regime == Regime::inflating ? 0 : 1];
     if (earlier.well == turn.well && between.well == turn.well && has_not_grown(turn, earlier, regime)) {
-      for (const Equilibrium& e : equilibria_) {
-        if (e.stable && well_of(e.stretch) == turn.well) return {Outcome::at_rest, turn.well, e.stretch, n};
-      }
+      if (const Equilibrium* rest = resident(*this, turn.well)) return {Outcome::at_rest, turn.well, rest->stretch, n};
     }
     earlier = turn;
     regime = opposite(regime);

@@ -36,7 +36,10 @@ class Walk {
     locks_ = !bursts && stretch_limit(plane.oscillator().parameters().material) < largest_stretch;
   }
   Walk(const Walk&) = delete;
+  Walk(Walk&&) = delete;
   Walk& operator=(const Walk&) = delete;
+  Walk& operator=(Walk&&) = delete;
+  ~Walk() = default;
 
   [[nodiscard]] const Stroke<double>& stroke(Regime regime) const {
     return regime == Regime::deflating ? deflation_ : inflation_;
@@ -58,7 +61,7 @@ class Walk {
   /// @param limit  of |dR/dT|, only for deflation backward
   /// @param visit  called for every piece of the way with its ends, the farther of which may be a turning point
   template <class Visit>
-  WalkEnd go(Regime regime, Course course, Held at, double limit, const Visit& visit) const {
+  [[nodiscard]] WalkEnd go(Regime regime, Course course, Held at, double limit, const Visit& visit) const {
     const Stroke<double>& way = stroke(regime);
     const bool explodes = regime == Regime::deflating && course == Course::backward;
     const double sign = way.direction() * static_cast<double>(course);

@@ -81,7 +81,7 @@ std::optional<VectorXd> Follower::tangent(const VectorXd& x, const VectorXd& alo
   if (!jacobian.allFinite()) return std::nullopt;
   MatrixXd matrix(n + 1, n + 1);
   matrix << jacobian, along.transpose();
-  VectorXd direction = matrix.fullPivLu().solve(VectorXd::Unit(n + 1, n));
+  const VectorXd direction = matrix.fullPivLu().solve(VectorXd::Unit(n + 1, n));
   const double length = direction.norm();
   if (!(length > 0) || !std::isfinite(length)) return std::nullopt;
   return direction / length;
