@@ -148,7 +148,7 @@ class Stroke {
   template <unsigned N>
   [[nodiscard]] T in_pieces(Place<T> place, const T& d, T k, const T& count) const {
     const T piece = d / count;
-    for (T i(0); i < count; i += 1) {
+    for (auto left = static_cast<long>(count); left > 0; --left) {
       k = over_piece<N>(place, piece, k);
       place = place.moved(piece);
     }
