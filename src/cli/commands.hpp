@@ -72,12 +72,21 @@ struct PortraitArguments {
   bool quiet = false;
 };
 
+struct FigureArguments {
+  std::string name;
+  std::string cases;
+  ResultArguments results;
+  bool json = false;
+  bool quiet = false;
+};
+
 // Each declares a command with its arguments, which must outlive `app`.
 CLI::App* add_statics(CLI::App& app, StaticsArguments& arguments);
 CLI::App* add_flow(CLI::App& app, FlowArguments& arguments);
 CLI::App* add_portrait(CLI::App& app, PortraitArguments& arguments);
 CLI::App* add_coefficients(CLI::App& app, CoefficientArguments& arguments);
 CLI::App* add_profile(CLI::App& app, ProfileArguments& arguments);
+CLI::App* add_figure(CLI::App& app, FigureArguments& arguments);
 
 struct AsymptoticsArguments {
   CaseArguments input;
@@ -96,5 +105,6 @@ int write_flow(const FlowArguments& arguments);
 int write_portrait(const PortraitArguments& arguments);
 int print_coefficients(const CoefficientArguments& arguments);
 int print_profile(const ProfileArguments& arguments);
+int make_figures(const FigureArguments& arguments);
 
 }  // namespace turgor::cli

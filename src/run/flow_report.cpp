@@ -1,7 +1,6 @@
 #include "turgor/run/flow_report.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -76,22 +75,27 @@ std::string flow_json(const Case& c, const FlowSnapshot& snapshot, const Meridio
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string wall_csv(const FlowSnapshot& snapshot) {
+std::vector<WallPoint> wall_points(const FlowSnapshot& snapshot) {
   const PotentialFlow& flow = snapshot.flow();
   const FlowState<double>& s = snapshot.state();
-  std::string out = "theta [rad],s [m],r [m],z [m],p_gauge [Pa],velocity [m/s]\n";
+  std::vector<WallPoint> points;
   for (const double offset : wall_offsets(flow)) {
     const double angle = flow.cap_angle() + offset;  // from the axis through the orifice
     const FlowPoint point{1, std::numbers::pi - angle};
     const FlowField field = flow.on_wall(offset);
     const double height = 2 * std::sin(flow.cap_angle() + offset / 2) * std::sin(offset / 2);  // cos cap - cos angle
-    const std::array row{point.theta,
-                         s.radius * offset,
-                         s.radius * std::sin(angle),
-                         s.radius * height,
-                         snapshot.pressure(point, field),
-                         s.radial_rate * field.tangential};
-    for (const double value : row) out += shortest(value + 0.0) + ",";
+    points.push_back({point.theta, s.radius * offset, s.radius * std::sin(angle), s.radius * height,
+                      snapshot.pressure(point, field), s.radial_rate * field.tangential});
+  }
+  return points;
+}
+
+std::string wall_csv(const FlowSnapshot& snapshot) {
+  std::string out = "theta [rad],s [m],r [m],z [m],p_gauge [Pa],velocity [m/s]\n";
+  for (const WallPoint& p : wall_points(snapshot)) {
+    for (const double value : {p.theta, p.way, p.distance, p.height, p.pressure, p.velocity}) {
+      out += shortest(value + 0.0) + ",";
+    }
     out.back() = '\n';
   }
   return out;

@@ -9,6 +9,16 @@
 
 namespace turgor {
 
+double acceleration_of(const Case& c, Model model, const FlowInstant& instant, double pressure) {
+  const Regime regime = instant.rate < 0 ? Regime::deflating : Regime::inflating;
+  const Oscillator<double> oscillator = make_oscillator(c, model);
+  const Scales<double>& scales = oscillator.scales();
+  const auto k = oscillator.coefficients(regime, instant.stretch);
+  const double rate = instant.rate * scales.time;
+  const double force = k.centripetal * rate * rate + k.area * pressure / scales.pressure - k.elastic;
+  return force / k.mass / (scales.time * scales.time);
+}
+
 namespace {
 
 constexpr double flow_tolerance = 1e-10;
@@ -27,16 +37,6 @@ void check_stretch(const Case& c, double stretch) {
     throw InvalidInput("stretch", shortest(stretch), "beyond the stretch at which the material locks",
                        "this one locks at " + rounded(stretch_limit(p.material), 6) + ", and in compression likewise");
   }
-}
-
-/// d2R/dt2 [1/s^2] by the case's equation of motion.
-double acceleration_of(const Case& c, Model model, Regime regime, const FlowInstant& instant, double pressure) {
-  const Oscillator<double> oscillator = make_oscillator(c, model);
-  const Scales<double>& scales = oscillator.scales();
-  const auto k = oscillator.coefficients(regime, instant.stretch);
-  const double rate = instant.rate * scales.time;
-  const double force = k.centripetal * rate * rate + k.area * pressure / scales.pressure - k.elastic;
-  return force / k.mass / (scales.time * scales.time);
 }
 
 FlowState<double> state_of(const Parameters<double>& p, const FlowInstant& instant) {
@@ -74,8 +74,7 @@ FlowSnapshot::FlowSnapshot(const Case& c, const FlowInstant& instant, OutflowPro
                          "add acceleration=d2R/dt2 to --at");
     }
     equation_ = c.model.value_or(Model::full);
-    const Regime regime = instant.rate < 0 ? Regime::deflating : Regime::inflating;
-    instant_.acceleration = acceleration_of(c, *equation_, regime, instant, *instant_.pressure);
+    instant_.acceleration = acceleration_of(c, *equation_, instant, *instant_.pressure);
   }
   state_ = state_of(p, instant_);
   if (!std::isfinite(at_orifice())) {

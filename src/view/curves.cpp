@@ -10,12 +10,12 @@ namespace {
 constexpr int points_per_step = 8;  // a step is at most a fraction of an oscillation long
 constexpr double columns = 3000;    // of a picture, at print resolution
 
-/// Calls use(T, R, dR/dT, gap) along the parts of a trajectory in one regime.
+/// Calls use(T, R, dR/dT, gap) along the parts of a trajectory in one regime, or all.
 template <class Use>
-void walk(const Trajectory<double>& trajectory, Regime regime, const Use& use) {
+void walk(const Trajectory<double>& trajectory, std::optional<Regime> regime, const Use& use) {
   bool gap = true;
   for (const auto& step : trajectory.steps) {
-    if (step.regime != regime) {
+    if (regime && step.regime != *regime) {
       gap = true;
       continue;
     }
@@ -68,7 +68,7 @@ class Envelope {
 
 }  // namespace
 
-Curve stretch_curve(const Trajectory<double>& trajectory, Regime regime, double clock) {
+Curve stretch_curve(const Trajectory<double>& trajectory, std::optional<Regime> regime, double clock) {
   Envelope envelope(trajectory.last.time * clock / columns);
   walk(trajectory, regime, [&](double time, double R, double, bool gap) { envelope.add({time * clock, R, gap}); });
   return envelope.finish();

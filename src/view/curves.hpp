@@ -1,6 +1,7 @@
 #pragma once
 // Curves for pictures: dense enough that nothing aliases, thin enough to draw.
 
+#include <optional>
 #include <vector>
 
 #include "turgor/run/run_case.hpp"
@@ -14,9 +15,10 @@ struct CurvePoint {
 };
 using Curve = std::vector<CurvePoint>;
 
-/// R against t = T clock, the parts of one regime. Where a column of the picture holds more points than it can show,
-/// their extremes are kept: an oscillation too fast to see becomes its envelope, never another oscillation.
-[[nodiscard]] Curve stretch_curve(const Trajectory<double>& trajectory, Regime regime, double clock);
+/// R against t = T clock, the parts of one regime or, without one, all. Where a column of the picture holds more points
+/// than it can show, their extremes are kept: an oscillation too fast to see becomes its envelope, never another
+/// oscillation.
+[[nodiscard]] Curve stretch_curve(const Trajectory<double>& trajectory, std::optional<Regime> regime, double clock);
 
 /// dR/dt = per_second dR/dT against R, the parts of one regime; points closer than a picture resolves are left out.
 [[nodiscard]] Curve portrait_curve(const Trajectory<double>& trajectory, Regime regime, double per_second);

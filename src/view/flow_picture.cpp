@@ -183,9 +183,9 @@ class FlowPicture {
 }  // namespace
 
 std::string draw_flow(const Case& c, const FlowSnapshot& snapshot, const MeridionalFlow& field,
-                      const std::filesystem::path& folder) {
+                      const std::filesystem::path& folder, const std::string& name) {
   const FlowPicture picture(c, snapshot, field);
-  return gnuplot(folder, "flow", picture.data(), picture.commands(), {1040, 530});
+  return gnuplot(folder, name, picture.data(), picture.commands(), {1040, 530});
 }
 
 }  // namespace turgor

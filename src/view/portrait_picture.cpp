@@ -38,7 +38,7 @@ class PortraitPicture {
         portrait_(study.portrait),
         rate_(study.per_second() * unit_factor(c.output.time_unit, "s")) {}
 
-  [[nodiscard]] std::string draw(const std::filesystem::path& folder) {
+  [[nodiscard]] std::string draw(const std::filesystem::path& folder, const std::string& name) {
     const std::string unit = "[1/" + case_.output.time_unit + "]'";
     const PhaseWindow& w = portrait_.window;
     std::string commands = "set multiplot\nset lmargin at screen 0.13; set rmargin at screen 0.97\nset clip two\n";
@@ -48,15 +48,15 @@ class PortraitPicture {
     commands += "set label 2 'deflating: dR/dt " + unit + " at screen 0.02,0.4 rotate center\n";
     commands += "set tmargin at screen 0.93; set bmargin at screen 0.575\nset format x ''\n";
     commands += "set yrange [0:" + rounded(w.inflation * rate_, 8) + "]\nset nonlinear y via sqrt(y) inverse y*y\n";
-    commands += tics(w.inflation * rate_, 1) + inflation();
+    commands += root_tics(w.inflation * rate_, 1) + inflation();
     commands += "unset title; unset label 1; unset label 2\n";
     commands += "set tmargin at screen 0.575; set bmargin at screen 0.22\nset format x '%g'\n";
     commands += "set key at screen 0.54,0.008 center bottom horizontal width 1 samplen 2.5 font ',12.5'\n";
     commands += "set xlabel 'stretch R = r/r_0 [1]' offset 0,0.3\n";
     commands += "set yrange [" + rounded(-w.deflation * rate_, 8) + ":0]\nset nonlinear y via -sqrt(-y) inverse -y*y\n";
-    commands += tics(w.deflation * rate_, -1) + forbidden() + deflation() + "unset multiplot\n";
+    commands += root_tics(w.deflation * rate_, -1) + forbidden() + deflation() + "unset multiplot\n";
     constexpr PictureSize size{900, 720};
-    return gnuplot(folder, "portrait", data_, commands, size);
+    return gnuplot(folder, name, data_, commands, size);
   }
 
  private:
@@ -167,16 +167,6 @@ class PortraitPicture {
     plot.add(where + "_unstable", equilibria(false), open + " notitle");
   }
 
-  /// 1, 2 and 5 times powers of ten, as far as there is room on an axis of roots.
-  [[nodiscard]] static std::string tics(double greatest, int sign) {
-    std::string list = "set ytics (0";
-    constexpr double crowded = 0.025;
-    for (double value = round_step(greatest); value > crowded * greatest; value = round_step(0.75 * value)) {
-      list += ", " + rounded(sign * value, 3);
-    }
-    return list + ")\n";
-  }
-
   [[nodiscard]] std::string forbidden() const {
     std::string out;
     for (const StretchInterval& interval : portrait_.forbidden) {
@@ -195,8 +185,9 @@ class PortraitPicture {
 
 }  // namespace
 
-std::string draw_phase_portrait(const Case& c, const PortraitStudy& study, const std::filesystem::path& folder) {
-  return PortraitPicture(c, study).draw(folder);
+std::string draw_phase_portrait(const Case& c, const PortraitStudy& study, const std::filesystem::path& folder,
+                                const std::string& name) {
+  return PortraitPicture(c, study).draw(folder, name);
 }
 
 }  // namespace turgor

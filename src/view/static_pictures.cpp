@@ -13,9 +13,6 @@ namespace turgor {
 namespace {
 
 constexpr const char* shade = "'grey90'";
-const std::string unstable_dashes = "(9,6)";
-const std::string fine_dashes = "(4,7)";
-const std::string dots_and_dashes = "(24,8,4,8)";
 
 /// A unit of the axes of these pictures.
 struct Shown {
@@ -34,11 +31,6 @@ Shown shown(const Case& c, const std::string& si) {
 }
 
 std::string label(const std::string& name, const Shown& shown) { return quoted(name + " [" + shown.unit + "]"); }
-
-std::string points_style(const char* colour, const std::string& title, int type = 7, const char* size = "0.7") {
-  return "points pt " + std::to_string(type) + " ps " + size + " lc rgb '" + colour + "' " +
-         (title.empty() ? "notitle" : "title '" + title + "'");
-}
 
 /// The stretches of a curve that are stable, or those that are not; both include limit points.
 template <class Row, class Y, class X>
@@ -112,7 +104,8 @@ std::string energy_range(const Case& c, const StaticStudy& study, const Curve& e
 
 }  // namespace
 
-std::string draw_statics(const Case& c, const StaticStudy& study, const std::filesystem::path& folder) {
+std::string draw_statics(const Case& c, const StaticStudy& study, const std::filesystem::path& folder,
+                         const std::string& name) {
   const std::vector<StaticRow> rows = static_curve(c, study);
   const Shown pa = shown(c, "Pa");
   const Shown joule = shown(c, "J");
@@ -142,18 +135,18 @@ std::string draw_statics(const Case& c, const StaticStudy& study, const std::fil
   }
   highest = std::max(highest, pa(study.pressure));
 
-  std::string commands = "set multiplot\nset lmargin at screen 0.16; set rmargin at screen 0.97\n";
+  std::string commands = "set multiplot\nset lmargin at screen 0.18; set rmargin at screen 0.97\n";
   commands += "set xrange [" + rounded(rows.front().stretch, 8) + ":" + rounded(rows.back().stretch, 8) + "]\n";
   commands += "set yrange [" + rounded(1.15 * lowest, 10) + ":" + rounded(1.3 * highest, 10) + "]\n";
   commands += "set tmargin at screen 0.92; set bmargin at screen 0.42\nset title " + quoted(c.title) + "\n";
   commands += "set ylabel " + label("static pressure", pa) + " offset 1\nset format x ''\n";
   commands += "set key bottom right font ',12' opaque\n" + shaded(c, study) + pressure.command();
   commands += "unset object\nset tmargin at screen 0.39; set bmargin at screen 0.12\nunset title\nset format x '%g'\n";
-  commands += "set ylabel " + label("potential energy", joule) + " offset 1\nset xlabel 'stretch R = r/r_0 [1]'\n";
+  commands += "set ylabel " + label("potential energy", joule) + " offset -0.5\nset xlabel 'stretch R = r/r_0 [1]'\n";
   commands +=
       "set key noopaque top center\n" + energy_range(c, study, energy) + energies.command() + "unset multiplot\n";
   constexpr PictureSize size{800, 720};
-  return gnuplot(folder, "statics", pressure.data() + energies.data(), commands, size);
+  return gnuplot(folder, name, pressure.data() + energies.data(), commands, size);
 }
 
 namespace {

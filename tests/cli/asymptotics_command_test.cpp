@@ -71,6 +71,46 @@ TEST(AsymptoticsCommand, KeepsWhatHoldsForOtherModelsAndMaterials) {
   EXPECT_GT(motion["undershoot"]["value"].get<double>(), 0);
 }
 
+std::vector<std::string> held_at(const std::string& pressure) {
+  return {"--set", "pressure={constant=\"" + pressure + "\"}"};
+}
+
+// The limit pressures are 37.909 and 44.719 kPa; (3.5) is real from 37.947 kPa on.
+TEST(AsymptoticsCommand, AnswersAtEveryPressure) {
+  const Folder folder;
+  struct Answer {
+    const char* pressure;
+    std::size_t equilibria, motions;
+    bool small, large;  ///< whether (3.3) and (3.5) have values
+  };
+  for (const Answer& answer : {Answer{"-5 kPa", 1, 1, true, false}, Answer{"0 Pa", 1, 1, true, false},
+                               Answer{"30 kPa", 1, 1, true, false}, Answer{"37.92 kPa", 3, 2, true, false},
+                               Answer{"37.96 kPa", 3, 2, true, true}, Answer{"44.8 kPa", 1, 1, false, true}}) {
+    const Json found = document(folder, "orifice-30mm.toml", held_at(answer.pressure));
+    EXPECT_EQ(found["equilibria"].size(), answer.equilibria) << answer.pressure;
+    EXPECT_EQ(found["motions"].size(), answer.motions) << answer.pressure;
+    EXPECT_EQ(found["closed_equilibria"][0].contains("value"), answer.small) << answer.pressure;
+    EXPECT_EQ(found["closed_equilibria"][1].contains("value"), answer.large) << answer.pressure;
+    EXPECT_EQ(found.dump().find("NaN"), std::string::npos);
+    for (const Json& motion : found["motions"]) EXPECT_GT(motion["undershoot"]["value"].get<double>(), 0);
+  }
+  const Json complex = document(folder, "orifice-30mm.toml", held_at("37.92 kPa"));
+  EXPECT_NE(complex["closed_equilibria"][1]["refused"].get<std::string>().find("(3.5) is complex"), std::string::npos);
+  EXPECT_LT(document(folder, "orifice-30mm.toml", held_at("-5 kPa"))["equilibria"][0]["R"].get<double>(), 1);
+}
+
+// S1/S2 = 4: the static pressure only rises.
+TEST(AsymptoticsCommand, AnswersWithoutASecondState) {
+  const Folder folder;
+  for (const char* pressure : {"10 kPa", "26 kPa", "60 kPa"}) {
+    auto arguments = held_at(pressure);
+    arguments.insert(arguments.end(), {"--set", "material.s1=0.6 MPa"});
+    const Json found = document(folder, "orifice-30mm.toml", arguments);
+    EXPECT_EQ(found["equilibria"].size(), 1U) << pressure;
+    EXPECT_EQ(found["motions"].size(), 1U) << pressure;
+  }
+}
+
 TEST(AsymptoticsCommand, RefusesWhatHasNoFreeMotion) {
   const Folder folder;
   const auto refused = [&](std::vector<std::string> arguments, const std::string& why) {
@@ -80,6 +120,11 @@ TEST(AsymptoticsCommand, RefusesWhatHasNoFreeMotion) {
   };
   refused({"--from", "0.5"}, "--from");
   refused({"--from", "nan"}, "--from");
+  for (const char* rest : {"1.2582010333829834", "2.0043852292044617", "4.804989785515669"}) {
+    auto arguments = middle;  // at rest there is no deflation, whether the rest is stable or not
+    arguments.insert(arguments.end(), {"--from", rest});
+    refused(arguments, "is not above a stable equilibrium, in its well");
+  }
   refused({"--set", "pressure={harmonic={mean=\"1 kPa\",amplitude=\"1 kPa\",frequency=\"1 Hz\"}}"},
           "never becomes constant");
   refused({"--set", "material={model=\"neo-hookean\",mu=\"1 MPa\"}", "--set", "pressure={constant=\"1 MPa\"}"},

@@ -130,6 +130,13 @@ TEST(PortraitCommand, AnswersAtEveryPressure) {
   const json suction = portrait_json(folder, {"--pressure", "-20 kPa"});
   EXPECT_LT(suction.at("equilibria").at(0).at("R").get<double>(), 1);
 
+  for (const char* pressure : {"-10 kPa", "20 kPa", "60 kPa"}) {  // S1/S2 = 4: there is never a second state
+    const json single = portrait_json(folder, {"--pressure", pressure, "--set", "material.s1=0.6 MPa"});
+    EXPECT_EQ(single.at("equilibria").size(), 1U) << pressure;
+    ASSERT_EQ(single.at("at_rest").size(), 1U) << pressure;
+    EXPECT_EQ(single.at("at_rest")[0].at("R"), single.at("equilibria")[0].at("R"));
+  }
+
   const std::string soft = shipped("material-neo-hookean.toml");
   const json two = portrait_json(folder, {"--pressure", "4.5 kPa"}, soft);
   ASSERT_EQ(two.at("equilibria").size(), 2U);

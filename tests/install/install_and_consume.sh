@@ -10,6 +10,8 @@ cmake --build "$work/consumer"
 "$work/consumer/consumer" "$work/prefix/share/turgor/cases/channel-30mm.toml" | tee "$work/out"
 grep -q 'events' "$work/out"
 "$work/prefix/bin/turgor" validate "$work/prefix/share/turgor/cases/channel-30mm.toml"
+"$work/prefix/bin/turgor" figure 7 -o "$work/figure" --no-pictures -q
+test -s "$work/figure/figure-7.csv"
 if [ -x "$work/prefix/bin/turgor-sweep" ]; then
   "$work/prefix/bin/turgor" sweep "$work/prefix/share/turgor/cases/sweep-orifice-pressure.toml" -o "$work/map.nc" -q --no-pictures
   test -s "$work/map.nc"

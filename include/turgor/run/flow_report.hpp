@@ -2,6 +2,7 @@
 // A snapshot of the flow as text and files; everything in SI units, pressures gauge.
 
 #include <string>
+#include <vector>
 
 #include "turgor/run/flow_snapshot.hpp"
 
@@ -10,9 +11,19 @@ namespace turgor {
 /// flow.json: the instant, the orifice, forces, profile, mesh.
 [[nodiscard]] std::string flow_json(const Case& c, const FlowSnapshot& snapshot, const MeridionalFlow& field);
 
-/// wall.csv: from the pole opposite the orifice to 1e-6 r_ch from the rim. Columns: theta [rad] from the axis, s [m]
-/// the way along the wall to the rim, r [m] the distance from the axis, z [m] the height above the orifice's plane,
-/// p_gauge [Pa], velocity [m/s] along the wall towards the orifice, relative to the wall.
+/// A place on the wall and what the liquid does there.
+struct WallPoint {
+  double theta;     ///< from the axis [rad]
+  double way;       ///< along the wall to the rim [m]
+  double distance;  ///< from the axis [m]
+  double height;    ///< above the orifice's plane [m]
+  double pressure;  ///< gauge [Pa]
+  double velocity;  ///< along the wall towards the orifice, relative to the wall [m/s]
+};
+/// From the pole opposite the orifice to 1e-6 r_ch from the rim.
+[[nodiscard]] std::vector<WallPoint> wall_points(const FlowSnapshot& snapshot);
+
+/// wall.csv: the same with the columns theta [rad], s [m], r [m], z [m], p_gauge [Pa], velocity [m/s].
 [[nodiscard]] std::string wall_csv(const FlowSnapshot& snapshot);
 
 /// flow.vtu: an unstructured grid of VTK, quadrilaterals in the plane (r, z), z above the orifice's plane. Point data:

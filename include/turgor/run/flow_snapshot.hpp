@@ -20,6 +20,10 @@ struct FlowInstant {
   std::optional<double> pressure;      ///< gauge, at the inlet [Pa]; the program's at `time` when not given
 };
 
+/// d2R/dt2 [1/s^2] by a model's equation of motion; a balloon at rest is taken as inflating.
+/// @param pressure  gauge, at the inlet [Pa]
+[[nodiscard]] double acceleration_of(const Case& c, Model model, const FlowInstant& instant, double pressure);
+
 /// Force of the liquid on the extensional mode [N], p_ext taken as the gauge pressure.
 struct FlowForces {
   double exact;        ///< (2.8) with the complete g1...g5 of appendix B, for the snapshot's profile

@@ -8,11 +8,12 @@
 
 namespace turgor {
 
-/// Draws statics.{svg,png} into a folder, with its script, in the manner of the paper's figure 7: static pressure
+/// Draws NAME.{svg,png} into a folder, with its script, in the manner of the paper's figure 7: static pressure
 /// against R, stable and unstable, with limit points, bistable window, Maxwell's pressure and the equilibria at the
 /// final pressure; below it the potential energy at that pressure.
 /// @return what went wrong; empty when the pictures are there
-[[nodiscard]] std::string draw_statics(const Case& c, const StaticStudy& study, const std::filesystem::path& folder);
+[[nodiscard]] std::string draw_statics(const Case& c, const StaticStudy& study, const std::filesystem::path& folder,
+                                       const std::string& name = "statics");
 
 /// Draws over.{svg,png}: equilibria against the key, and the bistable pressures against it. With a second key also
 /// plane.{svg,png}: limit points in the plane of both.
