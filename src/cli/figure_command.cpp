@@ -31,6 +31,7 @@ int list_figures(bool json) {
 std::vector<const Figure*> wanted_figures(const std::string& name) {
   if (name != "all") return {&find_figure(name)};
   std::vector<const Figure*> all;
+  all.reserve(all_figures().size());
   for (const Figure& figure : all_figures()) all.push_back(&figure);
   return all;
 }

@@ -103,6 +103,7 @@ class Column {
 
 void make_force_figure(Studio& studio) {
   std::vector<Case> cases;
+  cases.reserve(studio.cases().size());
   for (const std::string& name : studio.cases()) cases.push_back(studio.read(name));
   studio.table("figure-3", histories(cases));
   studio.table("figure-3-peaks", peaks(cases));

@@ -26,6 +26,7 @@ LargeMotion large_motion(const Studio& studio, const std::string& case_name) {
 
 std::vector<double> evenly(double from, double to, int count) {
   std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) values.push_back(std::lerp(from, to, static_cast<double>(k) / (count - 1)));
   return values;
 }

@@ -70,6 +70,11 @@ TEST(FigureCommand, MakesAllOfThem) {
     EXPECT_NE(entry.path().extension(), ".log");
   }
   EXPECT_EQ(found, files + 2);  // index.md and figures.json
+  EXPECT_EQ(turgor(folder, {"figure", "all", "-o", "all", "--force", "--no-pictures", "-q"}).code, 0);
+  for (const auto& entry : fs::directory_iterator(folder / "all")) {
+    const std::string ending = entry.path().extension();  // earlier pictures are gone, all of them
+    EXPECT_TRUE(ending == ".csv" || ending == ".json" || ending == ".md") << entry.path();
+  }
 }
 
 TEST(FigureCommand, FoldersAreReplacedOnlyWhenAsked) {
