@@ -62,9 +62,10 @@ std::vector<double> over_openings(const Case& c, const std::string& quantity) {
 std::string levels(const std::vector<double>& values) {
   const auto [least, greatest] = std::ranges::minmax(values);
   std::string list;
-  for (double power = std::pow(10, std::floor(std::log10(least))); power < greatest; power *= 10) {
+  const auto least_power = static_cast<int>(std::floor(std::log10(least)));
+  for (int exponent = least_power; std::pow(10, exponent) < greatest; ++exponent) {
     for (const double digit : {1.0, 2.0, 3.0, 5.0}) {
-      const double level = digit * power;
+      const double level = digit * std::pow(10, exponent);
       if (level > least && level < greatest) list += (list.empty() ? "" : ",") + rounded(level, 3);
     }
   }

@@ -24,8 +24,8 @@ FlowInstant instant_of(const Case& c, const RunResult& run, double t) {
 /// Gauge pressure [Pa] of the whole balloon at an instant of inflation, (2.3).
 double jet_pressure(const Parameters<double>& p, const FlowInstant& instant) {
   return orifice_pressure(FlowState<double>{p.radius * instant.stretch, p.radius * instant.rate,
-                                            p.radius * *instant.acceleration, *instant.pressure, p.orifice_radius,
-                                            p.channel_length, p.fluid_density});
+                                            p.radius * instant.acceleration.value(), instant.pressure.value(),
+                                            p.orifice_radius, p.channel_length, p.fluid_density});
 }
 
 Table streamlines(const FlowSnapshot& snapshot, const MeridionalFlow& field) {
@@ -59,8 +59,8 @@ void draw_wall(Studio& studio, const Case& c, const FlowSnapshot& deflating, con
   const double jet = jet_pressure(c.parameters, inflating);
   Curve uniform;
   for (const double theta : {std::numbers::pi, std::numbers::pi - points.back().theta}) {
-    table.add({1.0, theta, jet, *inflating.pressure});
-    uniform.push_back({theta * degrees, (jet - *inflating.pressure) / kPa, false});
+    table.add({1.0, theta, jet, inflating.pressure.value()});
+    uniform.push_back({theta * degrees, (jet - inflating.pressure.value()) / kPa, false});
   }
   studio.table("figure-2-wall", table);
 
