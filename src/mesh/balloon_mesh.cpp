@@ -93,8 +93,8 @@ void BalloonMesher::build_core() {
   const double opening = layout_.wedge / static_cast<double>(rim_blocks);
   for (std::size_t j = 0; j <= layout_.sectors(); ++j) {
     const double turn = layout_.wedge * static_cast<double>(j % (2 * m)) / sectors;
-    fan_.push_back(builder_.add(
-        about_rim(layout_.core_radius * core_outline(turn, opening), static_cast<double>(j) / sectors)));
+    fan_.push_back(
+        builder_.add(about_rim(layout_.core_radius * core_outline(turn, opening), static_cast<double>(j) / sectors)));
   }
   const std::size_t rim = builder_.add(layout_.request.orifice_radius);
   std::vector<Line> spokes;
@@ -129,8 +129,8 @@ void BalloonMesher::build_fan() {
     Line next;
     for (std::size_t j = 0; j < outline.size(); ++j) {
       const double start = std::abs(builder_.place_on(outline, j) - layout_.request.orifice_radius);
-      next.push_back(builder_.add(about_rim(std::lerp(start, to, share), static_cast<double>(j) /
-                                                                             static_cast<double>(outline.size() - 1))));
+      next.push_back(builder_.add(
+          about_rim(std::lerp(start, to, share), static_cast<double>(j) / static_cast<double>(outline.size() - 1))));
     }
     builder_.strip(fan_, next);
     fan_ = next;
@@ -171,10 +171,11 @@ void BalloonMesher::build_orifice_block() {
 /// Levels of the rings, so that neither their steps on the axis nor those on the wall are too large.
 std::vector<double> BalloonMesher::ring_levels(const RingMap& rings) const {
   const MeshRequest& q = layout_.request;
-  const double first_step = std::abs(builder_.place_on(fan_, 0) - builder_.place_on(orifice_, layout_.columns - 1));
   const auto size = [&](const Place& place) {
-    const double distance = std::abs(place) / q.orifice_radius;
-    return std::min(q.wall, std::max(layout_.orifice, first_step) * (1.1 + 0.6 * (distance - 1)));
+    constexpr double start = 1.4;
+    constexpr double growth = 0.9;
+    constexpr double most = 1.25;  // over the wall's size: leaves room for the bulk, where there are no more columns
+    return std::min(most * q.wall, layout_.orifice * (start + growth * (std::abs(place) / q.orifice_radius - 1)));
   };
   const auto level_step = [&](double level) {
     constexpr double shift = 1e-4;
@@ -224,7 +225,7 @@ void BalloonMesher::build_channel() {
   const MeshRequest& q = layout_.request;
   const auto size = [&](double depth) {
     return std::min(q.rim * (1 + channel_aspect * depth / q.orifice_radius),
-                    std::min(channel_aspect * q.rim, 4 * layout_.orifice));
+                    std::min(channel_aspect * q.rim, channel_step * layout_.orifice));
   };
   Line above = orifice_;
   for (const double depth : spaced(0, q.channel_length, steps(0, q.channel_length, size), size)) {

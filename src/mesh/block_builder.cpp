@@ -22,8 +22,8 @@ void BlockBuilder::fill(const Line& south, const Line& east, const Line& north, 
     for (std::size_t i = 1; j < rows && i < columns; ++i) {
       const double x = static_cast<double>(i) / static_cast<double>(columns);
       const double y = static_cast<double>(j) / static_cast<double>(rows);
-      const Place sides = (1 - y) * place_on(south, i) + y * place_on(north, i) + (1 - x) * place_on(west, j) +
-                          x * place_on(east, j);
+      const Place sides =
+          (1 - y) * place_on(south, i) + y * place_on(north, i) + (1 - x) * place_on(west, j) + x * place_on(east, j);
       const Place corners = (1 - y) * ((1 - x) * place(south.front()) + x * place(south.back())) +
                             y * ((1 - x) * place(north.front()) + x * place(north.back()));
       row[i] = add(sides - corners);

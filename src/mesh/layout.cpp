@@ -19,14 +19,15 @@ constexpr double fan_share = 0.55;
 /// Of the fan's sectors; those between the orifice and the block that reaches the axis.
 constexpr double inner_share = 0.42;
 
-std::string metres(double length) { return shortest(length) + " m"; }
+std::string exactly(double length) { return shortest(length) + " m"; }
+std::string metres(double length) { return rounded(length) + " m"; }
 
 bool positive(double x) { return x > 0 && std::isfinite(x); }
 
 std::vector<Issue> lengths_that_are_none(const MeshRequest& q) {
   std::vector<Issue> issues;
   const auto require = [&](const std::string& key, double value) {
-    if (!positive(value)) issues.push_back({key, metres(value), "must be a positive length", "", "", 0});
+    if (!positive(value)) issues.push_back({key, exactly(value), "must be a positive length", "", "", 0});
   };
   require("inlet.orifice_radius", q.orifice_radius);
   require("balloon.radius", q.radius);
@@ -41,41 +42,65 @@ std::vector<Issue> sizes_out_of_order(const MeshRequest& q) {
   std::vector<Issue> issues;
   const double a = q.orifice_radius;
   if (q.radius < least_radius_ratio * a) {
-    issues.push_back({"balloon.radius", metres(q.radius), "the orifice is too wide for a mesh of this balloon",
+    issues.push_back({"balloon.radius", exactly(q.radius), "the orifice is too wide for a mesh of this balloon",
                       "allowed are radii from " + metres(least_radius_ratio * a), "", 0});
   }
+  if (q.radius > greatest_radius_ratio * a) {
+    issues.push_back({"inlet.orifice_radius", exactly(a),
+                      "too small for a mesh of a balloon of radius " + metres(q.radius),
+                      "allowed are orifices from " + metres(q.radius / greatest_radius_ratio), "", 0});
+  }
   if (q.orifice > a / 3) {
-    issues.push_back({"fem.h_orifice", metres(q.orifice), "fewer than three cells from the axis to the rim",
+    issues.push_back({"fem.h_orifice", exactly(q.orifice), "fewer than three cells from the axis to the rim",
                       "allowed is at most a third of the orifice's radius, " + metres(a / 3) + "; try a fifteenth, " +
                           metres(a / 15),
                       "", 0});
   }
   if (q.rim > q.orifice) {
-    issues.push_back({"fem.h_rim", metres(q.rim), "larger than fem.h_orifice = " + metres(q.orifice),
+    issues.push_back({"fem.h_rim", exactly(q.rim), "larger than fem.h_orifice = " + metres(q.orifice),
                       "cells are smallest at the rim; try " + metres(q.orifice / 4), "", 0});
   }
   if (q.wall < q.orifice) {
-    issues.push_back({"fem.h_wall", metres(q.wall), "smaller than fem.h_orifice = " + metres(q.orifice),
+    issues.push_back({"fem.h_wall", exactly(q.wall), "smaller than fem.h_orifice = " + metres(q.orifice),
                       "cells grow from the orifice to the wall; try " + metres(4 * q.orifice), "", 0});
   }
   if (q.wall > q.radius / 4) {
-    issues.push_back({"fem.h_wall", metres(q.wall), "too large to follow the wall",
+    issues.push_back({"fem.h_wall", exactly(q.wall), "too large to follow the wall",
                       "allowed is at most a quarter of the radius, " + metres(q.radius / 4), "", 0});
   }
   return issues;
 }
 
-/// An upper estimate of the number of cells, before any is made.
-double estimated_cells(const MeshLayout& l) {
-  const MeshRequest& q = l.request;
+/// Cells of a ring that this size over the orifice brings with it, and those that the size of the wall asks for.
+double ring_for_orifice(const MeshRequest& q) { return 1.4 * q.orifice_radius / q.orifice; }
+double ring_for_wall(const MeshRequest& q) { return widest_column * q.radius / (2 * q.wall); }
+
+/// Stops a request for too many cells before any is made; within a third of their number.
+void check_count(const MeshRequest& q) {
   const double a = q.orifice_radius;
-  const double rays = a / l.orifice * (1 + std::log(l.orifice / q.rim));
-  const double rings = 4 * q.radius / q.wall + 2 * a / l.orifice * std::log1p(q.radius / a);
-  const double rows = q.channel_length / std::min(channel_aspect * q.rim, 4 * l.orifice) + 3 * a / q.rim;
-  return static_cast<double>(l.ring()) * rings + rays * (static_cast<double>(l.sectors() + l.inner_sectors) + rows);
+  const double ring = std::max(ring_for_orifice(q), ring_for_wall(q));
+  const double orifice = 1.4 * a / ring;
+  const double rim = std::min(q.rim, 0.99 * orifice);
+  const double rays = 0.45 * a / orifice + fan_share * a * std::log(orifice / rim) / (orifice - rim);
+  const double rings = 2.5 * q.radius / q.wall + a / orifice * std::log(q.radius / a);
+  const double rows = q.channel_length / std::min(channel_aspect * q.rim, channel_step * orifice);
+  const double balloon = ring * rings + 1.6 * a / orifice * rays;
+  const double cells = balloon + rays * rows;
+  if (cells <= most_cells) return;
+  const bool by_rows = rays * rows > balloon;
+  const bool by_wall = ring_for_wall(q) > ring_for_orifice(q);
+  const std::string key = by_rows ? "fem.h_rim" : by_wall ? "fem.h_wall" : "fem.h_orifice";
+  throw InvalidInput(
+      key,
+      exactly(by_rows   ? q.rim
+              : by_wall ? q.wall
+                        : q.orifice),
+      "the mesh would have about " + rounded(cells, 2) + " cells; at most " + rounded(most_cells) + " are made",
+      "try larger sizes; usual are fem.h_rim = " + metres(a / 60) + ", fem.h_orifice = " + metres(a / 15) +
+          ", fem.h_wall = " + metres(q.radius / 40));
 }
 
-std::size_t rounded_up_to_one(double x) { return static_cast<std::size_t>(std::max(1.0, std::round(x))); }
+std::size_t at_least_one(double x) { return static_cast<std::size_t>(std::max(1.0, std::round(x))); }
 
 /// Chooses the least number of sectors, from the one that the orifice's size asks for, with which not many more columns
 /// than it asks for make rings that are fine enough at the balloon's middle.
@@ -83,16 +108,16 @@ void choose_counts(MeshLayout& l) {
   const MeshRequest& q = l.request;
   const double asked_columns = (q.orifice_radius - l.fan_radius) / q.orifice;
   const double asked_core = l.wedge * l.fan_radius / q.orifice / (2.0 * rim_blocks);
-  const double ring = widest_column * q.radius / (2 * q.wall);
+  const double ring = ring_for_wall(q);
   constexpr double spare = 1.4;
   constexpr double growth = 1.02;
   for (double finer = 1;; finer *= growth) {
-    l.core = rounded_up_to_one(finer * asked_core);
+    l.core = at_least_one(finer * asked_core);
     const std::size_t sectors = 2 * rim_blocks * l.core;
-    l.inner_sectors = rounded_up_to_one(inner_share * static_cast<double>(sectors));
+    l.inner_sectors = at_least_one(inner_share * static_cast<double>(sectors));
     l.outer_sectors = sectors - l.inner_sectors;
     const double missing = std::ceil(ring) - static_cast<double>(l.outer_sectors);
-    l.columns = rounded_up_to_one(std::max(missing, finer * asked_columns));
+    l.columns = at_least_one(std::max(missing, finer * asked_columns));
     l.columns += l.ring() % 2;
     l.orifice = q.orifice / finer;
     if (static_cast<double>(l.columns) <= spare * finer * asked_columns + 1) return;
@@ -106,6 +131,7 @@ MeshLayout mesh_layout(const MeshRequest& request) {
     std::vector<Issue> issues = check(request);
     if (!issues.empty()) throw InvalidInput(std::move(issues));
   }
+  check_count(request);
   MeshLayout l{};
   l.request = request;
   const double a = request.orifice_radius;
@@ -113,19 +139,8 @@ MeshLayout mesh_layout(const MeshRequest& request) {
   l.centre = std::sqrt((R - a) * (R + a));
   l.wedge = std::numbers::pi - std::asin(a / R);
   l.fan_radius = fan_share * a;
-  if (a / request.rim > most_cells || R / request.wall > most_cells || a / request.orifice > most_cells) {
-    throw InvalidInput("fem.h_rim", metres(request.rim), "the mesh would have far too many cells",
-                       "try a sixtieth of the orifice's radius, " + metres(a / 60));
-  }
   choose_counts(l);
   l.core_radius = std::min(static_cast<double>(l.core) * request.rim, l.fan_radius / 2);
-  const double cells = estimated_cells(l);
-  if (cells > most_cells) {
-    throw InvalidInput("fem.h_orifice", metres(request.orifice),
-                       "the mesh would have about " + rounded(cells, 2) + " cells; at most " + rounded(most_cells) +
-                           " are made",
-                       "try larger fem.h_orifice, fem.h_rim or fem.h_wall");
-  }
   return l;
 }
 

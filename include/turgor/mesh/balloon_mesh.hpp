@@ -22,7 +22,7 @@ struct BalloonMesh {
   std::vector<std::array<double, 2>> points;
   std::vector<std::array<std::size_t, 4>> cells;  ///< corners, counterclockwise
   std::vector<Edge> boundary;                     ///< every boundary edge once
-  std::vector<int> wall_edge;                     ///< of each cell: from its corner of that number to the next, or no_edge
+  std::vector<int> wall_edge;  ///< of each cell: from its corner of that number to the next, or no_edge
   double sphere_centre = 0;
   double sphere_radius = 0;
 
@@ -35,7 +35,7 @@ struct BalloonMesh {
 struct MeshRequest {
   double orifice_radius;  ///< a
   double channel_length;  ///< 0 for none
-  double radius;          ///< of the sphere, at least least_radius_ratio a
+  double radius;          ///< of the sphere, from least_radius_ratio a to greatest_radius_ratio a
   double rim;             ///< size of cells at the rim
   double orifice;         ///< size over the orifice; less where the wall's size asks for more columns
   double wall;            ///< size of cells along the far wall; in the bulk at most twice as much
@@ -43,6 +43,8 @@ struct MeshRequest {
 
 /// The layout leaves no room for its blocks in smaller balloons.
 constexpr double least_radius_ratio = 1.6;
+/// Rounding would show in larger ones.
+constexpr double greatest_radius_ratio = 1e4;
 /// More cells are taken for a mistake.
 constexpr double most_cells = 1e6;
 
