@@ -89,7 +89,7 @@ Line BalloonMesher::line_between(std::size_t from, std::size_t to, std::size_t c
 
 void BalloonMesher::build_core() {
   const std::size_t m = layout_.core;
-  const double sectors = static_cast<double>(layout_.sectors());
+  const auto sectors = static_cast<double>(layout_.sectors());
   const double opening = layout_.wedge / static_cast<double>(rim_blocks);
   for (std::size_t j = 0; j <= layout_.sectors(); ++j) {
     const double turn = layout_.wedge * static_cast<double>(j % (2 * m)) / sectors;
@@ -224,8 +224,8 @@ void BalloonMesher::build_pole() {
 void BalloonMesher::build_channel() {
   const MeshRequest& q = layout_.request;
   const auto size = [&](double depth) {
-    return std::min(q.rim * (1 + channel_aspect * depth / q.orifice_radius),
-                    std::min(channel_aspect * q.rim, channel_step * layout_.orifice));
+    return std::min({q.rim * (1 + channel_aspect * depth / q.orifice_radius), channel_aspect * q.rim,
+                     channel_step * layout_.orifice});
   };
   Line above = orifice_;
   for (const double depth : spaced(0, q.channel_length, steps(0, q.channel_length, size), size)) {

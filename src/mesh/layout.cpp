@@ -75,7 +75,7 @@ std::vector<Issue> sizes_out_of_order(const MeshRequest& q) {
 double ring_for_orifice(const MeshRequest& q) { return 1.4 * q.orifice_radius / q.orifice; }
 double ring_for_wall(const MeshRequest& q) { return widest_column * q.radius / (2 * q.wall); }
 
-/// Stops a request for too many cells before any is made; within a third of their number.
+/// Stops a request for too many cells before any is made. The estimate is within a factor of two.
 void check_count(const MeshRequest& q) {
   const double a = q.orifice_radius;
   const double ring = std::max(ring_for_orifice(q), ring_for_wall(q));
@@ -87,14 +87,18 @@ void check_count(const MeshRequest& q) {
   const double balloon = ring * rings + 1.6 * a / orifice * rays;
   const double cells = balloon + rays * rows;
   if (cells <= most_cells) return;
-  const bool by_rows = rays * rows > balloon;
-  const bool by_wall = ring_for_wall(q) > ring_for_orifice(q);
-  const std::string key = by_rows ? "fem.h_rim" : by_wall ? "fem.h_wall" : "fem.h_orifice";
+  std::string key = "fem.h_orifice";
+  double size = q.orifice;
+  if (ring_for_wall(q) > ring_for_orifice(q)) {
+    key = "fem.h_wall";
+    size = q.wall;
+  }
+  if (rays * rows > balloon) {
+    key = "fem.h_rim";
+    size = q.rim;
+  }
   throw InvalidInput(
-      key,
-      exactly(by_rows   ? q.rim
-              : by_wall ? q.wall
-                        : q.orifice),
+      key, exactly(size),
       "the mesh would have about " + rounded(cells, 2) + " cells; at most " + rounded(most_cells) + " are made",
       "try larger sizes; usual are fem.h_rim = " + metres(a / 60) + ", fem.h_orifice = " + metres(a / 15) +
           ", fem.h_wall = " + metres(q.radius / 40));
@@ -111,7 +115,8 @@ void choose_counts(MeshLayout& l) {
   const double ring = ring_for_wall(q);
   constexpr double spare = 1.4;
   constexpr double growth = 1.02;
-  for (double finer = 1;; finer *= growth) {
+  for (int attempt = 0;; ++attempt) {
+    const double finer = std::pow(growth, attempt);
     l.core = at_least_one(finer * asked_core);
     const std::size_t sectors = 2 * rim_blocks * l.core;
     l.inner_sectors = at_least_one(inner_share * static_cast<double>(sectors));
@@ -136,7 +141,7 @@ MeshLayout mesh_layout(const MeshRequest& request) {
   l.request = request;
   const double a = request.orifice_radius;
   const double R = request.radius;
-  l.centre = std::sqrt((R - a) * (R + a));
+  l.centre = std::sqrt(R - a) * std::sqrt(R + a);  // no overflow
   l.wedge = std::numbers::pi - std::asin(a / R);
   l.fan_radius = fan_share * a;
   choose_counts(l);
