@@ -52,9 +52,7 @@ Place RingMap::place(double level, std::size_t column) const {
   double v = std::lerp(first_[column].imag(), 2 * std::atan(column_share(t)), passed * (2 - passed));
   u -= in_cap * std::log(core_outline(even, std::numbers::pi / 2));
   v = std::lerp(v, even, in_cap);
-  Place place = map_.place({u, v});
-  if (column == 0) place.real(0);
-  return place;
+  return map_.place({u, v});
 }
 
 }  // namespace turgor

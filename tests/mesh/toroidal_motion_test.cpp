@@ -54,6 +54,18 @@ TEST(ToroidalMotion, IsTheIdentityAtTheReferenceRadius) {
   }
 }
 
+TEST(ToroidalMotion, LosesNoDigitsBesideTheAxis) {
+  const ToroidalMotion motion(0.03, 0.3);
+  for (const double r : {1e-3, 1e-9, 1e-15}) {
+    for (const double z : {1e-3, 0.1, 0.5}) {
+      EXPECT_NEAR(motion.position({r, z}, 0.3)[0] / r, 1, 1e-13);
+      // odd in r: its slope at the axis, up to (r/a)^2
+      const double slope = motion.position({1e-12, z}, 0.5)[0] / 1e-12;
+      EXPECT_NEAR(motion.position({r, z}, 0.5)[0] / r, slope, slope * (1e-12 + std::pow(r / 0.03, 2)));
+    }
+  }
+}
+
 // A map by complex numbers that rotates (a - x)/(a + x); it loses digits at the rim and far away, not in the middle.
 TEST(ToroidalMotion, AgreesWithComplexNumbers) {
   std::mt19937_64 random(test::random_seed());
