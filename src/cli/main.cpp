@@ -81,7 +81,7 @@ int main(int argc, char** argv) {
 
   app.add_subcommand("sweep", "run the parameter study that a case describes, and write one NetCDF file");
 
-  app.add_subcommand("fem", "the flow inside a balloon by finite elements; where built: TURGOR_FEM");
+  app.add_subcommand("fem", "the flow inside a balloon by finite elements, where built (TURGOR_FEM)");
 
   CaseArguments info;
   CLI::App* info_command = app.add_subcommand(
