@@ -4,7 +4,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "fem_flow_command.hpp"
 #include "guarded.hpp"
+#include "turgor/fem/flow_solver.hpp"
 #include "turgor/fem/session.hpp"
 
 namespace turgor::cli {
@@ -34,6 +36,8 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   CLI::App* fem = app.add_subcommand("fem", "the flow inside a balloon by finite elements");
   fem->require_subcommand(1);
+  FemFlowArguments flow;
+  CLI::App* flow_command = add_fem_flow(*fem, flow);
   bool versions_json = false;
   CLI::App* versions = fem->add_subcommand("versions", "the libraries that have a say in the results");
   versions->add_flag("--json", versions_json, "print one JSON document and nothing else");
@@ -41,6 +45,12 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? exit_done : exit_bad_input;
+  }
+  if (flow_command->parsed()) {
+    return guarded(flow.input.json, [&] {
+      const turgor::FemSession session;
+      return compute_fem_flow(flow, turgor::make_flow_problem, turgor::fem_versions());
+    });
   }
   return guarded(versions_json, [&] { return print_versions(versions_json); });
 }
