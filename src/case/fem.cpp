@@ -19,9 +19,8 @@ void declare_steps(Schema& schema) {
   schema.add({.path = "fem.cfl",
               .kind = number,
               .range = positive,
-              .meaning =
-                  "time step by its product with the greatest mean velocity in the orifice, over the cell size there; "
-                  "0.5 when neither this nor time_step is given"});
+              .meaning = "time step times the mean velocity in the orifice, over h_orifice; 0.5 when neither this nor "
+                         "time_step is given"});
   schema.add({.path = "fem.time_step", .unit = "s", .range = positive, .meaning = "instead of cfl: a fixed time step"});
   schema.add({.path = "fem.error_tolerance",
               .kind = number,

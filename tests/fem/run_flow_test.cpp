@@ -46,7 +46,7 @@ void run_rest(const Case& c, const std::filesystem::path& path) {
 
 TEST(RunFlow, StepsOntoRowsFieldsAndKnots) {
   const Folder folder;
-  const Case c = fake_case({"fem.fields=4"});  // at 0, 5/3, 10/3, 5 s
+  const Case c = fake_case({"solve.samples=8", "fem.fields=4"});  // neither falls on a knot
   FakeFlow flow(c);
   FlowRunFolder files(folder / "run", c, EarlierRun::refuse);
   const FlowRunResult result = run_flow(c, flow, files);
@@ -60,11 +60,10 @@ TEST(RunFlow, StepsOntoRowsFieldsAndKnots) {
     EXPECT_TRUE(std::ranges::any_of(flow.stops(), [&](double t) { return std::abs(t - interval.end) < 5e-12; }));
   }
   const auto history = test::lines_of(test::contents(files.path() / "history.csv"));
-  ASSERT_EQ(history.size(), 12U);
+  ASSERT_EQ(history.size(), 9U);
   EXPECT_TRUE(history[0].starts_with("t [s],p_gauge [Pa],r [cm],drdt [cm/s],d2rdt2 [cm/s^2],force [N]")) << history[0];
   EXPECT_TRUE(history[1].starts_with("0,0,30,0,0,0.4,")) << history[1];
-  EXPECT_TRUE(history[3].starts_with("1,")) << history[3];
-  EXPECT_TRUE(history[11].starts_with("5,")) << history[11];
+  EXPECT_TRUE(history[8].starts_with("5,")) << history[8];
   EXPECT_EQ(test::lines_of(test::contents(files.path() / "solver.csv")).size(), flow.stops().size() + 1);
   const auto report = report_in(files.path());
   EXPECT_EQ(report.at("status"), "complete");
@@ -93,7 +92,7 @@ TEST(RunFlow, KilledRunGoesOnToTheSameBits) {
   const Folder folder;
   const Case c = fake_case();
   run_whole(c, folder / "whole");
-  for (const long last : {0L, 1L, 17L, 45L}) {
+  for (const long last : {0L, 1L, 5L, 6L, 17L, 45L}) {
     const auto path = folder / ("killed" + std::to_string(last));
     const pid_t child = fork();
     if (child == 0) {
@@ -177,7 +176,7 @@ TEST(RunFlow, FailedStepKeepsWhatWasDone) {
   const FlowRunResult result = run_flow(c, flow, files);
   EXPECT_EQ(result.status, "failed");
   EXPECT_EQ(result.steps, 13);
-  for (const std::string words : {"t = 1.3 s", "r = 0.3", "dr/dt = 0.02 m/s", "after 13 steps", "no convergence"}) {
+  for (const std::string words : {"t = 1.2 s", "r = 0.3", "dr/dt = 0.02 m/s", "after 13 steps", "no convergence"}) {
     EXPECT_NE(result.message.find(words), std::string::npos) << result.message;
   }
   const auto report = report_in(files.path());
