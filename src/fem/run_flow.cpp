@@ -55,15 +55,15 @@ class FlowRun {
   FlowRun(const Case& c, FlowProblem& problem, FlowRunFolder& folder, const FlowRunOptions& options)
       : case_(c), problem_(problem), folder_(folder), options_(options) {
     if (!folder.warning().empty()) result_.warnings.push_back({"checkpoint", folder.warning()});
-    if (folder.start()) {
-      result_.steps = folder.start()->step;
-      spent_before_ = folder.start()->wall_seconds;
+    if (const std::optional<Checkpoint>& start = folder.start()) {
+      result_.steps = start->step;
+      spent_before_ = start->wall_seconds;
     }
   }
 
   FlowRunResult run() {
     try {
-      if (folder_.start()) problem_.load(*folder_.start());
+      if (const std::optional<Checkpoint>& start = folder_.start()) problem_.load(*start);
       advance();
     } catch (const std::exception& error) {  // deal.II and PETSc throw exceptions of their own
       fail(error.what());
