@@ -60,7 +60,9 @@ void declare_balloon(Schema& schema) {
               .unit = "Pa s",
               .range = positive,
               .required = true,
-              .meaning = "dynamic viscosity; the model is inviscid, this judges whether that holds"});
+              .meaning =
+                  "dynamic viscosity; the model is inviscid, for which this judges whether that holds; `turgor fem` is "
+                  "not"});
 
   schema.describe("inlet", "orifice and channel");
   schema.add({.path = "inlet.orifice_radius",
@@ -73,6 +75,23 @@ void declare_balloon(Schema& schema) {
               .range = not_negative,
               .fallback = "0 m",
               .meaning = "length L_ch of the channel; 0 for a bare orifice"});
+  schema.add({.path = "inlet.wall",
+              .kind = text,
+              .choices = {"no-slip", "slip"},
+              .fallback = "no-slip",
+              .meaning = "for `turgor fem`: whether the liquid sticks to the channel's wall"});
+  schema.add({.path = "inlet.tangential",
+              .kind = text,
+              .choices = {"free", "zero"},
+              .fallback = "free",
+              .meaning = "for `turgor fem`: the radial velocity at the inlet plane, free of shear or held at zero"});
+  schema.add({.path = "inlet.inflow_penalty",
+              .kind = number,
+              .range = not_negative,
+              .fallback = "0.5",
+              .meaning =
+                  "for `turgor fem`: beta of the traction beta rho U (u_n - U) that keeps inflow of mean velocity U "
+                  "even; the mean traction stays that of the pressure"});
 }
 
 namespace {
@@ -125,6 +144,8 @@ void read_balloon(Reader& reader, Case& c) {
   const auto orifice = reader.number("inlet.orifice_radius");
   p.orifice_radius = orifice.value_or(1);
   p.channel_length = reader.number("inlet.channel_length").value_or(0);
+  c.inlet = {reader.text("inlet.wall") == "slip", reader.text("inlet.tangential") != "zero",
+             reader.number("inlet.inflow_penalty").value_or(0)};
   if (radius && thickness && *thickness >= *radius) {
     reader.complain("balloon.thickness", "the wall is as thick as the balloon",
                     "must be less than balloon.radius, and much less for a membrane");

@@ -16,6 +16,7 @@ std::span<const Part> case_parts() {
       {declare_solve, read_solve, {"solve"}, false, true},
       {declare_dynamics, read_dynamics, {"initial", "model", "scales"}, true, true},
       {declare_report, read_report, {"output", "expect"}, false, false},
+      {declare_fem, read_fem, {"fem"}, true, false},
       {declare_sweep, read_sweep, {"sweep"}, false, false},
   };
   return parts;

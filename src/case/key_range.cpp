@@ -40,7 +40,8 @@ double read_value(const Key& key, const std::string& path, std::string_view give
 /// The declaration of a key that a range can be given for.
 Key ranged_key(const Case& c, const std::string& option, const std::string& path) {
   const std::string table = path.substr(0, path.find('.'));
-  if (table == "sweep" || table == "output" || table == "expect" || table == "solve" || table == "initial") {
+  if (table == "sweep" || table == "output" || table == "expect" || table == "solve" || table == "initial" ||
+      table == "fem") {
     throw InvalidInput(option, path, "has no influence on states of rest", "give a key of the balloon or its pressure");
   }
   const Key* found = case_schema().find(path, c.material_name);

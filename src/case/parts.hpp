@@ -30,6 +30,9 @@ void read_dynamics(Reader& reader, Case& c);
 void declare_report(Schema& schema);  // [output] [expect]
 void read_report(Reader& reader, Case& c);
 
+void declare_fem(Schema& schema);  // [fem]
+void read_fem(Reader& reader, Case& c);
+
 void declare_sweep(Schema& schema);  // [sweep]
 void read_sweep(Reader& reader, Case& c);
 

@@ -19,16 +19,21 @@ constexpr const char* exit_codes =
     "is "
     "kept); 130 interrupted (what was computed is kept).";
 
-/// Replaces this program by turgor-sweep, which stands beside it: it is linked with NetCDF and MPI, whose loading would
-/// slow down every other command. Returns only when that fails.
-int hand_over_to_sweep(char** argv) {
+/// Replaces this program by another that stands beside it, which is linked with libraries whose loading would slow down
+/// every other command: NetCDF and MPI, or deal.II. Returns only when that fails.
+/// @param origin  how one comes by that program, in words
+int hand_over(const char* name, char** argv, const char* origin) {
   std::error_code error;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / "turgor-sweep";
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / name;
   execv(program.c_str(), argv);
   std::cerr << "error: cannot start " << program.string() << " (" << std::strerror(errno)  // NOLINT: one thread
-            << "); it is built and installed together with turgor unless TURGOR_SWEEP is OFF\n";
+            << "); " << origin << "\n";
   return turgor::cli::exit_failed;
 }
+
+constexpr const char* origin_of_sweep = "it is built and installed together with turgor unless TURGOR_SWEEP is OFF";
+constexpr const char* origin_of_fem =
+    "it is built when the CMake option TURGOR_FEM is ON; `./dev build fem` does that and installs deal.II (1.9 GB)";
 
 /// "run, sweep, info"
 std::string command_names(const CLI::App& app) {
@@ -41,7 +46,9 @@ std::string command_names(const CLI::App& app) {
 
 int main(int argc, char** argv) {
   using namespace turgor::cli;
-  if (argc > 1 && std::string_view(argv[1]) == "sweep") return hand_over_to_sweep(argv);
+  const std::string_view first = argc > 1 ? argv[1] : "";
+  if (first == "sweep") return hand_over("turgor-sweep", argv, origin_of_sweep);
+  if (first == "fem") return hand_over("turgor-fem", argv, origin_of_fem);
   CLI::App app{"turgor: liquid-filled hyperelastic balloons by the reduced-order model of Ilssar & Gat", "turgor"};
   app.set_version_flag("--version", std::string(turgor::version));
   app.require_subcommand(1);
@@ -73,6 +80,8 @@ int main(int argc, char** argv) {
   force_command->add_flag("-q,--quiet", force.quiet, "print nothing but errors");
 
   app.add_subcommand("sweep", "run the parameter study that a case describes, and write one NetCDF file");
+
+  app.add_subcommand("fem", "the flow inside a balloon by finite elements, where built (TURGOR_FEM)");
 
   CaseArguments info;
   CLI::App* info_command = app.add_subcommand(

@@ -7,7 +7,7 @@
 
 #include "turgor/base/text.hpp"
 #include "turgor/base/version.hpp"
-#include "vtu.hpp"
+#include "turgor/run/vtu.hpp"
 
 namespace turgor {
 

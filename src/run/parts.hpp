@@ -1,6 +1,7 @@
 #pragma once
 // What the sources of this room share.
 
+#include "turgor/run/report.hpp"
 #include "turgor/run/run_case.hpp"
 
 namespace turgor {
@@ -20,11 +21,5 @@ struct StretchRange {
 
 /// The same for the size of the orifice alone, over a range of stretches.
 [[nodiscard]] std::vector<Warning> strained_orifice(const Parameters<double>& p, const StretchRange& range);
-
-/// A double as text in a table, in the unit that `factor` converts to; -0 becomes 0.
-void append_number(std::string& out, double value, double factor = 1);
-
-/// A line "  name              text" of a summary on the screen.
-[[nodiscard]] std::string summary_line(const std::string& name, const std::string& text);
 
 }  // namespace turgor

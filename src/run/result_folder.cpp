@@ -41,6 +41,13 @@ ResultFolder::ResultFolder(fs::path path, Contents contents, bool force)
   }
 }
 
+ResultFolder::ResultFolder(fs::path path, Contents contents) : path_(std::move(path)), contents_(std::move(contents)) {
+  std::error_code error;
+  if (!fs::is_directory(path_, error)) {
+    throw unusable(contents_.what, path_, "does not exist", "give the folder of an earlier run with -o DIR");
+  }
+}
+
 void ResultFolder::write(const std::string& name, const std::string& text) const {
   const fs::path partial = path_ / (name + ".part");
   {

@@ -1,4 +1,4 @@
-#include "vtu.hpp"
+#include "turgor/run/vtu.hpp"
 
 #include <bit>
 #include <boost/archive/iterators/base64_from_binary.hpp>
@@ -6,6 +6,8 @@
 #include <cstring>
 #include <pugixml.hpp>
 #include <sstream>
+
+#include "turgor/base/text.hpp"
 
 namespace turgor {
 
@@ -42,34 +44,65 @@ void add_array(pugi::xml_node parent, const char* type, const std::string& name,
   array.text() = encoded(numbers).c_str();
 }
 
+/// The cells of every type that VTK knows by a number.
+class Cells {
+ public:
+  template <std::size_t nodes>
+  void add(std::uint8_t type, const std::vector<std::array<std::int32_t, nodes>>& cells) {
+    for (const auto& cell : cells) {
+      connectivity_.insert(connectivity_.end(), cell.begin(), cell.end());
+      offsets_.push_back(static_cast<std::int32_t>(connectivity_.size()));
+      types_.push_back(type);
+    }
+  }
+  void write(pugi::xml_node piece) const {
+    const pugi::xml_node cells = piece.append_child("Cells");
+    add_array(cells, "Int32", "connectivity", 1, connectivity_);
+    add_array(cells, "Int32", "offsets", 1, offsets_);
+    add_array(cells, "UInt8", "types", 1, types_);
+  }
+
+ private:
+  std::vector<std::int32_t> connectivity_;
+  std::vector<std::int32_t> offsets_;
+  std::vector<std::uint8_t> types_;
+};
+
 void add_cells(pugi::xml_node piece, const VtuGrid& grid) {
   constexpr std::uint8_t quadrilateral = 9;  // VTK_QUAD
-  std::vector<std::int32_t> connectivity;
-  std::vector<std::int32_t> offsets;
-  for (const auto& corners : grid.quadrilaterals) {
-    connectivity.insert(connectivity.end(), corners.begin(), corners.end());
-    offsets.push_back(static_cast<std::int32_t>(connectivity.size()));
-  }
-  const pugi::xml_node cells = piece.append_child("Cells");
-  add_array(cells, "Int32", "connectivity", 1, connectivity);
-  add_array(cells, "Int32", "offsets", 1, offsets);
-  add_array(cells, "UInt8", "types", 1, std::vector<std::uint8_t>(offsets.size(), quadrilateral));
+  constexpr std::uint8_t biquadratic = 28;   // VTK_BIQUADRATIC_QUAD
+  Cells cells;
+  cells.add(quadrilateral, grid.quadrilaterals);
+  cells.add(biquadratic, grid.biquadratic);
+  cells.write(piece);
+}
+
+/// <VTKFile> of some type in a new document.
+pugi::xml_node add_file(pugi::xml_document& document, const char* type) {
+  pugi::xml_node declaration = document.append_child(pugi::node_declaration);
+  declaration.append_attribute("version") = "1.0";
+  pugi::xml_node file = document.append_child("VTKFile");
+  file.append_attribute("type") = type;
+  file.append_attribute("version") = "1.0";
+  file.append_attribute("byte_order") = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
+  file.append_attribute("header_type") = "UInt64";
+  return file;
+}
+
+std::string text_of(const pugi::xml_document& document, const char* indent, unsigned format) {
+  std::ostringstream text;
+  document.save(text, indent, format);
+  return text.str();
 }
 
 }  // namespace
 
 std::string vtu_text(const VtuGrid& grid) {
   pugi::xml_document document;
-  pugi::xml_node declaration = document.append_child(pugi::node_declaration);
-  declaration.append_attribute("version") = "1.0";
-  pugi::xml_node file = document.append_child("VTKFile");
-  file.append_attribute("type") = "UnstructuredGrid";
-  file.append_attribute("version") = "1.0";
-  file.append_attribute("byte_order") = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
-  file.append_attribute("header_type") = "UInt64";
+  pugi::xml_node file = add_file(document, "UnstructuredGrid");
   pugi::xml_node piece = file.append_child("UnstructuredGrid").append_child("Piece");
   piece.append_attribute("NumberOfPoints") = static_cast<unsigned>(grid.points.size() / 3);
-  piece.append_attribute("NumberOfCells") = static_cast<unsigned>(grid.quadrilaterals.size());
+  piece.append_attribute("NumberOfCells") = static_cast<unsigned>(grid.quadrilaterals.size() + grid.biquadratic.size());
   add_array(piece.append_child("Points"), "Float64", "", 3, grid.points);
   add_cells(piece, grid);
   pugi::xml_node data = piece.append_child("PointData");
@@ -77,9 +110,18 @@ std::string vtu_text(const VtuGrid& grid) {
   for (const PointData& quantity : grid.data) {
     add_array(data, "Float64", quantity.name, quantity.components, quantity.values);
   }
-  std::ostringstream text;
-  document.save(text, "", pugi::format_raw);
-  return text.str();
+  return text_of(document, "", pugi::format_raw);
+}
+
+std::string pvd_text(const std::vector<VtuInstant>& series) {
+  pugi::xml_document document;
+  pugi::xml_node collection = add_file(document, "Collection").append_child("Collection");
+  for (const VtuInstant& instant : series) {
+    pugi::xml_node entry = collection.append_child("DataSet");
+    entry.append_attribute("timestep") = shortest(instant.time).c_str();
+    entry.append_attribute("file") = instant.file.c_str();
+  }
+  return text_of(document, "  ", pugi::format_default);
 }
 
 }  // namespace turgor

@@ -2,9 +2,8 @@
 
 #include <sqlite3.h>
 
-#include <sstream>
-
 #include "turgor/base/errors.hpp"
+#include "turgor/base/text.hpp"
 
 namespace turgor {
 
@@ -12,26 +11,6 @@ namespace {
 
 InvalidInput unusable(const std::filesystem::path& file, std::string problem, std::string advice) {
   return InvalidInput("", "", "journal " + file.string() + ": " + std::move(problem), std::move(advice));
-}
-
-/// The first line in which two texts differ.
-std::string difference(const std::string& stored, const std::string& wanted) {
-  std::istringstream a(stored);
-  std::istringstream b(wanted);
-  std::string before;
-  std::string now;
-  while (true) {
-    const bool more_before = static_cast<bool>(std::getline(a, before));
-    const bool more_now = static_cast<bool>(std::getline(b, now));
-    if (!more_before) before.clear();
-    if (!more_now) now.clear();
-    if (before != now || (!more_before && !more_now)) break;
-  }
-  const auto shown = [](const std::string& line) {
-    if (line.empty()) return std::string("nothing");
-    return "\"" + (line.size() > 80 ? line.substr(0, 77) + "..." : line) + "\"";
-  };
-  return "it has " + shown(before) + ", now there is " + shown(now);
 }
 
 }  // namespace
@@ -113,7 +92,7 @@ void Journal::compare(const Identity& identity) const {
     }
     sqlite3_reset(query.get());
     if (stored == value) continue;
-    throw unusable(file_, "belongs to another sweep; the " + name + " differs: " + difference(stored, value),
+    throw unusable(file_, "belongs to another sweep; the " + name + " differs: " + first_difference(stored, value),
                    "start over with --force, or choose another file with -o");
   }
 }

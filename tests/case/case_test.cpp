@@ -79,6 +79,58 @@ TEST(Case, DictatedMotionHasItsDefaults) {
   EXPECT_EQ(other.motion->at(0).rate, 0.001);
 }
 
+// The cells follow the orifice and the balloon: r_ch/60, r_ch/15, r0/37.5. A wide orifice never wants larger cells than
+// the wall.
+TEST(Case, FiniteElementsHaveTheirDefaults) {
+  const Case c = read_case(paper_case);
+  EXPECT_FALSE(c.inlet.slip);
+  EXPECT_TRUE(c.inlet.tangential_free);
+  EXPECT_EQ(c.inlet.inflow_penalty, 0.5);
+  EXPECT_EQ(c.fem.scheme, FemScheme::bdf2);
+  EXPECT_EQ(c.fem.cfl, 0.5);
+  EXPECT_EQ(c.fem.time_step, 0);
+  EXPECT_DOUBLE_EQ(c.fem.h_rim, 0.5e-3);
+  EXPECT_DOUBLE_EQ(c.fem.h_orifice, 2e-3);
+  EXPECT_DOUBLE_EQ(c.fem.h_wall, 8e-3);
+  EXPECT_EQ(c.fem.fields, 21);
+  EXPECT_NE(c.resolved.find("[fem]\nscheme = \"bdf2\"\ncfl = 0.5\n"), std::string::npos) << c.resolved;
+  EXPECT_EQ(c.resolved.find("time_step"), std::string::npos);
+  const Case narrow = read_case(paper_case, {"inlet.orifice_radius=1 cm"});
+  EXPECT_DOUBLE_EQ(narrow.fem.h_rim, 0.01 / 60);
+  EXPECT_DOUBLE_EQ(narrow.fem.h_wall, 8e-3);
+  const Case wide = read_case(paper_case, {"inlet.orifice_radius=25 cm"});
+  EXPECT_EQ(wide.fem.h_orifice, wide.fem.h_wall);
+  const Case fine = read_case(paper_case, {"fem.h_wall=0.3 mm"});
+  EXPECT_EQ(fine.fem.h_orifice, 3e-4);
+  EXPECT_EQ(fine.fem.h_rim, 3e-4);
+}
+
+TEST(Case, FiniteElementsAreReadInSiUnits) {
+  const Case c =
+      read_case(paper_case, {"inlet.wall=slip", "inlet.tangential=zero", "inlet.inflow_penalty=5", "fem.scheme=bdf1",
+                             "fem.time_step=10 ms", "fem.h_rim=0.25 mm", "fem.h_orifice=1 mm", "fem.h_wall=1 cm",
+                             "fem.tolerance=1e-6", "fem.max_iterations=7", "fem.max_steps=99",
+                             "fem.checkpoint_every=2 min", "fem.field_times=[\"0 s\", \"100 ms\"]"});
+  EXPECT_TRUE(c.inlet.slip);
+  EXPECT_FALSE(c.inlet.tangential_free);
+  EXPECT_EQ(c.inlet.inflow_penalty, 5);
+  EXPECT_EQ(c.fem.scheme, FemScheme::bdf1);
+  EXPECT_EQ(c.fem.cfl, 0);
+  EXPECT_DOUBLE_EQ(c.fem.time_step, 0.01);
+  EXPECT_EQ(c.fem.error_tolerance, 0);
+  EXPECT_DOUBLE_EQ(c.fem.h_rim, 0.25e-3);
+  EXPECT_DOUBLE_EQ(c.fem.h_orifice, 1e-3);
+  EXPECT_DOUBLE_EQ(c.fem.h_wall, 0.01);
+  EXPECT_EQ(c.fem.tolerance, 1e-6);
+  EXPECT_EQ(c.fem.max_iterations, 7);
+  EXPECT_EQ(c.fem.max_steps, 99);
+  EXPECT_EQ(c.fem.checkpoint_every, 120);
+  EXPECT_EQ(c.fem.fields, 0);
+  EXPECT_EQ(c.fem.field_times, (std::vector<double>{0, 0.1}));
+  EXPECT_EQ(parse_case(c.resolved, paper_case).resolved, c.resolved);
+  EXPECT_EQ(read_case(paper_case, {"fem.cfl=2", "fem.error_tolerance=1e-3"}).fem.error_tolerance, 1e-3);
+}
+
 // Figure 3: up by 3 cm over the 3 cm orifice, 4 mm over the 2 cm one, and in proportion to the times over the others;
 // then back to where it was, to the last digit.
 TEST(Case, ShippedMotionsReturn) {

@@ -117,6 +117,48 @@ const std::vector<Mistake> mistakes{
     {"OrificeLargerThanBalloon", "\"3 cm\"", "\"31 cm\"", {"case.toml:14", "larger than the balloon", "0.3 m"}},
     {"WallThickerThanBalloon", "\"3 mm\"", "\"30 cm\"", {"as thick as the balloon"}},
     {"CompressedBelowOrifice", "stretch = 1.0", "stretch = 0.05", {"less than its orifice"}},
+    {"UnknownChannelWall",
+     "channel_length",
+     "wall = \"slippery\"\nchannel_length",
+     {"inlet.wall", "unknown name", "slip"}},
+    {"NegativePenalty",
+     "channel_length",
+     "inflow_penalty = -0.5\nchannel_length",
+     {"inlet.inflow_penalty", "out of range", ">= 0"}},
+    {"TwoStepSizes",
+     "[model]",
+     "[fem]\ncfl = 0.5\ntime_step = \"10 ms\"\n[model]",
+     {"fem.time_step", "given together with fem.cfl", "give one of them"}},
+    {"ZeroCfl", "[model]", "[fem]\ncfl = 0.0\n[model]", {"fem.cfl", "out of range", "> 0"}},
+    {"ErrorControlOfAFixedStep",
+     "[model]",
+     "[fem]\nerror_tolerance = 1e-3\ntime_step = \"10 ms\"\n[model]",
+     {"fem.error_tolerance", "fixed fem.time_step", "fem.cfl in place"}},
+    {"CoarseRim",
+     "[model]",
+     "[fem]\nh_rim = \"3 mm\"\n[model]",
+     {"fem.h_rim", "out of range", "fem.h_orifice = 0.002 m"}},
+    {"CoarseOrifice",
+     "[model]",
+     "[fem]\nh_orifice = \"1.6 cm\"\nh_wall = \"2 cm\"\n[model]",
+     {"fem.h_orifice", "half of inlet.orifice_radius = 0.015 m"}},
+    {"CoarseWall", "[model]", "[fem]\nh_wall = \"16 cm\"\n[model]", {"fem.h_wall", "half of balloon.radius = 0.15 m"}},
+    {"FieldsTwice",
+     "[model]",
+     "[fem]\nfields = 3\nfield_times = [\"1 s\"]\n[model]",
+     {"fem.field_times", "given together with fem.fields"}},
+    {"FieldsInDisorder",
+     "[model]",
+     "[fem]\nfield_times = [\"2 s\", \"1 s\"]\n[model]",
+     {"field_times[1]", "must increase"}},
+    {"FieldsAfterTheEnd",
+     "[model]",
+     "[fem]\nfield_times = [\"9 s\"]\n[model]",
+     {"field_times[0]", "the run ends at 6 s"}},
+    {"SweptMesh",
+     "[model]",
+     "[sweep.axes]\n\"fem.cfl\" = { from = 0.1, to = 1.0, n = 3 }\n[model]",
+     {"fem.cfl", "cannot be swept"}},
     {"NotANumber", "stretch = 1.0", "stretch = nan", {"case.toml:19", "initial.stretch", "not a finite number"}},
     {"Infinite", "\"30 cm\"", "\"inf cm\"", {"not a finite number"}},
     {"NanQuantity", "\"30 cm\"", "\"nan cm\"", {"not a finite number"}},
@@ -448,6 +490,17 @@ TEST(BadInput, CommandLines) {
     const auto result = turgor(folder, arguments);
     EXPECT_EQ(result.code, 2);
     EXPECT_NE(result.err, "");
+  }
+}
+
+// A build without deal.II has no turgor-fem beside it.
+TEST(BadInput, FiniteElementsThatWereNotBuiltAreExplained) {
+  const Folder folder;
+  std::filesystem::copy_file(TURGOR_PROGRAM, folder / "turgor");
+  const auto run = test::shell(folder, "./turgor fem flow case.toml");
+  EXPECT_EQ(run.code, 4);
+  for (const std::string words : {"turgor-fem", "TURGOR_FEM", "./dev build fem"}) {
+    EXPECT_NE(run.err.find(words), std::string::npos) << run.err;
   }
 }
 

@@ -16,4 +16,7 @@ if [ -x "$work/prefix/bin/turgor-sweep" ]; then
   "$work/prefix/bin/turgor" sweep "$work/prefix/share/turgor/cases/sweep-orifice-pressure.toml" -o "$work/map.nc" -q --no-pictures
   test -s "$work/map.nc"
 fi
+if [ -x "$work/prefix/bin/turgor-fem" ]; then
+  "$work/prefix/bin/turgor" fem versions | grep -q '^MUMPS'
+fi
 test -s "$work/prefix/share/man/man1/turgor.1"

@@ -36,6 +36,33 @@ struct SolveSettings {
   long max_steps;
 };
 
+/// What holds where the liquid meets the channel and the outside, for the finite elements.
+struct InletConditions {
+  bool slip;              ///< the channel's wall lets the liquid slip along it
+  bool tangential_free;   ///< no shear traction at the inlet plane, as opposed to no radial velocity
+  double inflow_penalty;  ///< beta: keeps the inflow profile at its mean by a traction beta rho U (u_n - U)
+};
+
+/// Backward differences of first or second order.
+enum class FemScheme { bdf1, bdf2 };
+/// "bdf1" or "bdf2".
+[[nodiscard]] std::string_view name_of(FemScheme scheme);
+
+/// How `turgor fem` discretises, and what it writes.
+struct FemSettings {
+  FemScheme scheme;
+  double cfl;              ///< step times mean velocity in the orifice over h_orifice; 0: the step is fixed
+  double time_step;        ///< [s]; 0: by cfl
+  double error_tolerance;  ///< largest local error of a step, relative; 0: no such control
+  double tolerance;        ///< of the nonlinear solve, relative
+  long max_iterations;     ///< of the nonlinear solve
+  long max_steps;
+  double h_rim, h_orifice, h_wall;  ///< cell sizes [m]
+  double checkpoint_every;          ///< wall-clock time [s]; 0: after every step
+  long fields;                      ///< uniform times of fields; 0 when times are given, or for none
+  std::vector<double> field_times;  ///< [s]
+};
+
 /// Units of tables and pictures.
 struct OutputSettings {
   std::string time_unit, length_unit, pressure_unit, volume_unit, flow_unit, energy_unit;
@@ -61,7 +88,9 @@ struct Case {
   std::optional<Model> model;  ///< nothing: chosen by the size of the dropped terms
   double auto_tolerance = 0.05;
   Scales<double> scales{};
+  InletConditions inlet{};
   SolveSettings solve{};
+  FemSettings fem{};
   OutputSettings output{};
   std::vector<Expectation> expectations;
   std::optional<SweepSettings> sweep;

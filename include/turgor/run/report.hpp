@@ -35,4 +35,10 @@ struct RowTime {
 /// way has its end as the last row.
 [[nodiscard]] std::vector<RowTime> row_times(const Case& c, const RunResult& result);
 
+/// A double as text in a table, in the unit that `factor` converts to; -0 becomes 0.
+void append_number(std::string& out, double value, double factor = 1);
+
+/// A line "  name              text" of a summary on the screen.
+[[nodiscard]] std::string summary_line(const std::string& name, const std::string& text);
+
 }  // namespace turgor

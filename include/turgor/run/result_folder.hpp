@@ -22,6 +22,10 @@ class ResultFolder {
   /// @throws InvalidInput when the folder exists (without force), is not a folder, or cannot be created
   ResultFolder(std::filesystem::path path, Contents contents, bool force);
 
+  /// Opens the folder of earlier results to add to them.
+  /// @throws InvalidInput when there is none
+  ResultFolder(std::filesystem::path path, Contents contents);
+
   /// Writes beside and renames, so that a file is either the old one or the whole new one.
   /// @throws ComputationFailed when a file cannot be written
   void write(const std::string& name, const std::string& text) const;

@@ -18,10 +18,21 @@ struct PointData {
 struct VtuGrid {
   std::vector<double> points;  ///< three for each
   std::vector<std::array<std::int32_t, 4>> quadrilaterals;
+  /// Curved quadrilaterals: corners around, the middles of the edges after each, the centre.
+  std::vector<std::array<std::int32_t, 9>> biquadratic{};
   std::vector<PointData> data;
 };
 
 /// A .vtu file, its numbers in base64: 4/3 of their size in memory, bit for bit.
 [[nodiscard]] std::string vtu_text(const VtuGrid& grid);
+
+/// A file at one time [s] of a series; its name is relative to the folder of the series.
+struct VtuInstant {
+  double time;
+  std::string file;
+};
+
+/// A .pvd file: .vtu files with their times, which ParaView plays.
+[[nodiscard]] std::string pvd_text(const std::vector<VtuInstant>& series);
 
 }  // namespace turgor

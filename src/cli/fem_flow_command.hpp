@@ -1,0 +1,30 @@
+#pragma once
+// turgor fem flow: the flow under a dictated motion.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arguments.hpp"
+#include "turgor/fem/flow_problem.hpp"
+
+namespace turgor::cli {
+
+struct FemFlowArguments {
+  CaseArguments input;
+  std::string directory;
+  bool force = false;
+  bool resume = false;
+  bool quiet = false;
+  double max_wall_seconds = 0;  ///< 0: no limit
+};
+
+/// Declares the command with its arguments, which must outlive `fem`.
+CLI::App* add_fem_flow(CLI::App& fem, FemFlowArguments& arguments);
+
+/// Runs it and returns the exit code.
+/// @param versions  of the libraries behind the solver
+int compute_fem_flow(const FemFlowArguments& arguments, const FlowProblemMaker& make_problem,
+                     const std::vector<std::pair<std::string, std::string>>& versions);
+
+}  // namespace turgor::cli
