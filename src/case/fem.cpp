@@ -19,8 +19,9 @@ void declare_steps(Schema& schema) {
   schema.add({.path = "fem.cfl",
               .kind = number,
               .range = positive,
-              .meaning = "time step times the mean velocity in the orifice, over h_orifice; 0.5 when neither this nor "
-                         "time_step is given"});
+              .meaning =
+                  "time step times the velocity in the orifice, or of its jet along the axis, over the orifice's "
+                  "radius; 0.5 when neither this nor time_step is given"});
   schema.add({.path = "fem.time_step", .unit = "s", .range = positive, .meaning = "instead of cfl: a fixed time step"});
   schema.add({.path = "fem.error_tolerance",
               .kind = number,
@@ -30,12 +31,13 @@ void declare_steps(Schema& schema) {
   schema.add({.path = "fem.tolerance",
               .kind = number,
               .range = {1e-14, 1e-2},
-              .fallback = "1e-8",
-              .meaning = "nonlinear solve of a step: residual, relative to that of the first guess"});
+              .fallback = "1e-3",
+              .meaning = "nonlinear solve of a step: its last change of the velocity, relative; the "
+                         "error left is about its square"});
   schema.add({.path = "fem.max_iterations",
               .kind = integer,
               .range = {1, 1000},
-              .fallback = "20",
+              .fallback = "10",
               .meaning = "nonlinear iterations after which a step has failed"});
   schema.add({.path = "fem.max_steps",
               .kind = integer,

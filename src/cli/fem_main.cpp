@@ -6,7 +6,7 @@
 
 #include "fem_flow_command.hpp"
 #include "guarded.hpp"
-#include "turgor/fem/flow_solver.hpp"
+#include "turgor/fem/dictated_flow.hpp"
 #include "turgor/fem/session.hpp"
 
 namespace turgor::cli {
@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
   if (flow_command->parsed()) {
     return guarded(flow.input.json, [&] {
       const turgor::FemSession session;
-      return compute_fem_flow(flow, turgor::make_flow_problem, turgor::fem_versions());
+      return compute_fem_flow(flow, turgor::make_dictated_flow, turgor::fem_versions());
     });
   }
   return guarded(versions_json, [&] { return print_versions(versions_json); });

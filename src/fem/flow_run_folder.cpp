@@ -132,6 +132,12 @@ void FlowRunFolder::add_field(double time, const VtuGrid& field) {
   write_series();
 }
 
+void FlowRunFolder::write_profile(const std::vector<OutflowPoint>& points) {
+  std::string text = "Upsilon [1],f [1]\n";
+  for (const OutflowPoint& point : points) text += shortest(point.upsilon) + "," + shortest(point.f) + "\n";
+  folder_.write("profile.csv", text);
+}
+
 void FlowRunFolder::write_series() const { folder_.write("fields.pvd", pvd_text(series_)); }
 
 void FlowRunFolder::remove_fields_from(std::uint64_t first) const {

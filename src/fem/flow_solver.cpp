@@ -1,11 +1,340 @@
 #include "turgor/fem/flow_solver.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+
 #include "turgor/base/errors.hpp"
 
 namespace turgor {
 
-std::unique_ptr<FlowProblem> make_flow_problem(const Case& c) {
-  throw ComputationFailed("this build has no solver for \"" + c.title + "\"");
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+std::vector<bool> fixed_unknowns(const FlowSpace& space, const FlowDefinition& flow) {
+  std::vector<bool> fixed(index(space.size()), false);
+  const auto fix = [&](Side side, bool radial, bool axial) {
+    for (const int node : space.nodes_on(side)) {
+      if (radial) fixed[index(space.velocity(node, 0))] = true;
+      if (axial) fixed[index(space.velocity(node, 1))] = true;
+    }
+  };
+  fix(Side::axis, true, false);
+  fix(Side::inlet, flow.tangential_zero, false);
+  fix(Side::channel, true, !flow.slip);
+  fix(Side::wall, true, true);
+  return fixed;
+}
+
+std::vector<bool> free_axial(const FlowSpace& space, const std::vector<bool>& fixed) {
+  std::vector<bool> free(index(space.node_count()));
+  for (int i = 0; i < space.node_count(); ++i) free[index(i)] = !fixed[index(space.velocity(i, 1))];
+  return free;
+}
+
+void add_to_matrix(const CellTangent& tangent, const std::array<int, cell_unknowns * cell_unknowns>& places,
+                   std::vector<double>& matrix) {
+  for (std::size_t i = 0; i < cell_unknowns; ++i) {
+    for (std::size_t j = 0; j < cell_unknowns; ++j) {
+      const int at = places[i * cell_unknowns + j];
+      if (at >= 0) matrix[index(at)] += tangent[i][j];
+    }
+  }
+}
+
+}  // namespace
+
+FlowSolver::FlowSolver(const FlowSpace& space, FlowDefinition flow, FlowControls controls)
+    : space_(space),
+      flow_(std::move(flow)),
+      controls_(controls),
+      fixed_(fixed_unknowns(space, flow_)),
+      inlet_(space, free_axial(space, fixed_)) {
+  prepare_pattern();
+  std::vector<double> rest(index(space.size()), 0.0);
+  if (flow_.inlet_pressure) std::fill(rest.begin() + space.pressure(0), rest.end(), flow_.inlet_pressure(0));
+  start({{-1.0, rest}, {0.0, rest}});
+}
+
+void FlowSolver::start(std::vector<FlowLevel> levels) {
+  levels_ = std::move(levels);
+  step_time_ = time();
+  move_mesh(step_time_);
+  // as if the present velocities stayed
+  settings_ = {.density = flow_.density,
+               .viscosity = flow_.viscosity,
+               .rate_factor = 0,
+               .time_step = std::numeric_limits<double>::infinity(),
+               .supg = flow_.supg,
+               .grad_div = flow_.grad_div};
+  history_.assign(positions_.size(), 0.0);
+  frozen_ = levels_.back().unknowns;
+  assemble(frozen_, reactions_, false);
+  linear_->discard_factors();
+}
+
+void FlowSolver::prepare_pattern() {
+  const std::size_t n = index(space_.size());
+  std::vector<std::set<int>> rows(n);
+  const auto couple = [&](int i, int j) {
+    if (!fixed_[index(i)] && !fixed_[index(j)]) rows[index(i)].insert(j);
+  };
+  for (std::size_t i = 0; i < n; ++i) rows[i].insert(static_cast<int>(i));
+  for (const auto& cell : space_.cells()) {
+    const auto unknowns = space_.unknowns(cell);
+    for (const int i : unknowns) {
+      for (const int j : unknowns) couple(i, j);
+    }
+  }
+  for (const int a : inlet_.nodes()) {
+    for (const int b : inlet_.nodes()) {
+      for (int c = 0; c < 2; ++c) couple(space_.velocity(a, c), space_.velocity(b, c));
+    }
+  }
+  SparsePattern pattern;
+  pattern.row_start.push_back(0);
+  for (const auto& row : rows) {
+    pattern.columns.insert(pattern.columns.end(), row.begin(), row.end());
+    pattern.row_start.push_back(static_cast<int>(pattern.columns.size()));
+  }
+  const auto place = [&](int i, int j) { return fixed_[index(i)] || fixed_[index(j)] ? -1 : pattern.find(i, j); };
+  for (const auto& cell : space_.cells()) {
+    const auto unknowns = space_.unknowns(cell);
+    auto& list = places_.emplace_back();
+    for (std::size_t i = 0; i < cell_unknowns; ++i) {
+      for (std::size_t j = 0; j < cell_unknowns; ++j) list[i * cell_unknowns + j] = place(unknowns[i], unknowns[j]);
+    }
+  }
+  for (const int a : inlet_.nodes()) {
+    for (const int b : inlet_.nodes()) {
+      for (int c = 0; c < 2; ++c) inlet_places_.push_back(place(space_.velocity(a, c), space_.velocity(b, c)));
+    }
+  }
+  for (int i = 0; i < space_.size(); ++i) {
+    if (fixed_[index(i)]) fixed_places_.push_back(pattern.find(i, i));
+  }
+  linear_ = std::make_unique<LinearSolver>(std::move(pattern));
+}
+
+void FlowSolver::move_mesh(double t) {
+  positions_.resize(2 * space_.nodes().size());
+  mesh_velocities_.resize(positions_.size());
+  for (std::size_t i = 0; i < space_.nodes().size(); ++i) {
+    const Point2 x = flow_.position(space_.nodes()[i], t);
+    const Point2 w = flow_.mesh_velocity(space_.nodes()[i], t);
+    for (std::size_t c = 0; c < 2; ++c) {
+      positions_[2 * i + c] = x[c];
+      mesh_velocities_[2 * i + c] = w[c];
+    }
+  }
+}
+
+void FlowSolver::impose_velocities(double t, std::vector<double>& unknowns) const {
+  const auto impose = [&](int node, int component, double value) {
+    const std::size_t i = index(space_.velocity(node, component));
+    if (fixed_[i]) unknowns[i] = value;
+  };
+  const auto place = [&](int node) { return Point2{positions_[2 * index(node)], positions_[2 * index(node) + 1]}; };
+  for (const int node : space_.nodes_on(Side::inlet)) impose(node, 0, 0.0);
+  for (const int node : space_.nodes_on(Side::channel)) {
+    const Point2 u = flow_.wall_velocity ? flow_.wall_velocity(place(node), t) : Point2{};
+    for (int c = 0; c < 2; ++c) impose(node, c, u[index(c)]);
+  }
+  for (const int node : space_.nodes_on(Side::wall)) {
+    const Point2 mesh{mesh_velocities_[2 * index(node)], mesh_velocities_[2 * index(node) + 1]};
+    const Point2 u = flow_.wall_velocity ? flow_.wall_velocity(place(node), t) : mesh;
+    for (int c = 0; c < 2; ++c) impose(node, c, u[index(c)]);
+  }
+  for (const int node : space_.nodes_on(Side::axis)) impose(node, 0, 0.0);
+}
+
+std::vector<double> FlowSolver::extrapolated(double t) const {
+  const FlowLevel& last = levels_.back();
+  std::vector<double> guess = last.unknowns;
+  if (levels_.size() < 2) return guess;
+  const FlowLevel& before = levels_[levels_.size() - 2];
+  const double w = (t - last.time) / (last.time - before.time);
+  for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += w * (last.unknowns[i] - before.unknowns[i]);
+  return guess;
+}
+
+CellState FlowSolver::state_of(const FlowSpace::Cell& cell) const {
+  CellState state{};
+  for (std::size_t i = 0; i < velocity_nodes; ++i) {
+    for (std::size_t c = 0; c < 2; ++c) {
+      const std::size_t at = 2 * index(cell.nodes[i]) + c;
+      state.position[c][i] = positions_[at];
+      state.mesh_velocity[c][i] = mesh_velocities_[at];
+      state.history[c][i] = history_[at];
+      state.frozen[c][i] = frozen_[at];
+    }
+    if (flow_.body_force) {
+      const Point2 f = flow_.body_force({state.position[0][i], state.position[1][i]}, step_time_);
+      for (std::size_t c = 0; c < 2; ++c) state.body_force[c][i] = f[c];
+    }
+  }
+  return state;
+}
+
+double FlowSolver::assemble(const std::vector<double>& unknowns, std::vector<double>& residual, bool tangent) {
+  residual.assign(unknowns.size(), 0.0);
+  std::vector<double>& matrix = linear_->values();
+  if (tangent) std::ranges::fill(matrix, 0.0);
+  double least = std::numeric_limits<double>::infinity();
+  CellResidual<double> cell_residual{};
+  CellTangent cell_tangent{};
+  for (std::size_t k = 0; k < space_.cells().size(); ++k) {
+    const auto& cell = space_.cells()[k];
+    const CellUnknowns u = gather(space_, cell, unknowns);
+    least = std::min(least, integrate_cell(space_.element(), settings_, state_of(cell), u.velocity, u.pressure,
+                                           cell_residual, tangent ? &cell_tangent : nullptr));
+    if (!(least > 0)) return least;
+    const auto list = space_.unknowns(cell);
+    for (std::size_t i = 0; i < velocity_nodes; ++i) {
+      for (std::size_t c = 0; c < 2; ++c) residual[index(list[c * velocity_nodes + i])] += cell_residual.momentum[c][i];
+    }
+    for (std::size_t i = 0; i < pressure_nodes; ++i) {
+      residual[index(list[2 * velocity_nodes + i])] += cell_residual.continuity[i];
+    }
+    if (tangent) add_to_matrix(cell_tangent, places_[k], matrix);
+  }
+  assemble_inlet(unknowns, residual, tangent);
+  if (tangent) {
+    for (const int place : fixed_places_) matrix[index(place)] = 1;
+  }
+  return least;
+}
+
+void FlowSolver::assemble_inlet(const std::vector<double>& unknowns, std::vector<double>& residual, bool tangent) {
+  const std::vector<int>& nodes = inlet_.nodes();
+  const double rho = flow_.density * flow_.inflow_penalty;
+  const double speed = inlet_.entering_speed(frozen_);
+  const std::vector<double> sideways = inlet_.tangential(frozen_);
+  std::vector<double>& matrix = linear_->values();
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const int radial = space_.velocity(nodes[i], 0);
+    const int axial = space_.velocity(nodes[i], 1);
+    Point2 traction{0.0, flow_.inlet_pressure ? flow_.inlet_pressure(step_time_) : 0.0};  // the normal points down
+    if (flow_.inlet_traction) {
+      traction =
+          flow_.inlet_traction({positions_[2 * index(nodes[i])], positions_[2 * index(nodes[i]) + 1]}, step_time_);
+    }
+    residual[index(radial)] -= inlet_.weight(i) * traction[0];
+    residual[index(axial)] -= inlet_.weight(i) * traction[1];
+    for (std::size_t j = 0; j < nodes.size(); ++j) {
+      const double along = rho * speed * inlet_.axial(i, j);
+      const double across = rho * sideways[i * nodes.size() + j];
+      residual[index(axial)] += along * unknowns[index(space_.velocity(nodes[j], 1))];
+      residual[index(radial)] += across * unknowns[index(space_.velocity(nodes[j], 0))];
+      if (!tangent) continue;
+      const std::size_t at = 2 * (i * nodes.size() + j);
+      if (inlet_places_[at] >= 0) matrix[index(inlet_places_[at])] += across;
+      if (inlet_places_[at + 1] >= 0) matrix[index(inlet_places_[at + 1])] += along;
+    }
+  }
+}
+
+void FlowSolver::prepare_step(double t) {
+  step_time_ = t;
+  const double dt = t - time();
+  const FlowLevel& last = levels_.back();
+  const bool two = levels_.size() > 1;
+  const FlowLevel& before = two ? levels_[levels_.size() - 2] : last;
+  const DifferenceFormula formula =
+      difference_formula(two ? controls_.scheme : TimeScheme::bdf1, dt, last.time - before.time);
+  settings_ = {.density = flow_.density,
+               .viscosity = flow_.viscosity,
+               .rate_factor = formula.rate[0],
+               .time_step = dt,
+               .supg = flow_.supg,
+               .grad_div = flow_.grad_div};
+  history_.resize(positions_.size());
+  for (std::size_t i = 0; i < history_.size(); ++i) {
+    history_[i] = formula.rate[1] * last.unknowns[i] + formula.rate[2] * before.unknowns[i];
+  }
+  move_mesh(step_time_);
+  frozen_ = extrapolated(step_time_);
+  impose_velocities(step_time_, frozen_);
+}
+
+void FlowSolver::solve_step(std::vector<double>& unknowns, StepReport& report) {
+  std::vector<double> residual;
+  std::vector<double> update;
+  const auto velocities = index(2 * space_.node_count());
+  while (true) {
+    if (report.newton_iterations == controls_.max_newton) {
+      throw ComputationFailed("Newton's method did not converge: its last change was " +
+                              std::to_string(report.last_update) + " of the velocity");
+    }
+    report.least_jacobian = assemble(unknowns, residual, true);
+    if (!(report.least_jacobian > 0)) throw ComputationFailed("a cell of the mesh is inverted");
+    for (std::size_t i = 0; i < residual.size(); ++i) residual[i] = fixed_[i] ? 0.0 : -residual[i];
+    const LinearReport linear = linear_->solve(residual, update, controls_.linear_tolerance);
+    report.linear_iterations += linear.iterations;
+    report.factorizations += linear.factorizations;
+    report.residual = linear.residual;
+    double change = 0;
+    double size = 1e-300;
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+      unknowns[i] += update[i];
+      if (i >= velocities) continue;
+      change += update[i] * update[i];
+      size += unknowns[i] * unknowns[i];
+    }
+    if (!std::isfinite(change)) throw ComputationFailed("velocities are not finite");
+    report.newton_iterations += 1;
+    report.last_update = std::sqrt(change / size);
+    if (report.last_update <= controls_.update_tolerance) return;
+  }
+}
+
+// With the levels before it, the new one gives the third divided difference (bdf1: the second), which multiplies the
+// formula's error constant: du/dt by bdf2 with steps h, h1 is off by h (h + h1) u'''/6, which the step integrates.
+double FlowSolver::local_error(const std::vector<double>& unknowns) const {
+  const bool second = controls_.scheme == TimeScheme::bdf2;
+  const std::size_t needed = second ? 3 : 2;
+  if (levels_.size() < needed) return 0;
+  const FlowLevel* before[3] = {&levels_.back(), &levels_[levels_.size() - 2],
+                                second ? &levels_[levels_.size() - 3] : nullptr};
+  const double h = step_time_ - before[0]->time;
+  const double h1 = before[0]->time - before[1]->time;
+  const double h2 = second ? before[1]->time - before[2]->time : 0;
+  double sum = 0;
+  double size = 0;
+  for (std::size_t i = 0; i < history_.size(); ++i) {
+    const double slope = (unknowns[i] - before[0]->unknowns[i]) / h;
+    const double slope1 = (before[0]->unknowns[i] - before[1]->unknowns[i]) / h1;
+    double error = h * h * (slope - slope1) / (h + h1);
+    if (second) {
+      const double slope2 = (before[1]->unknowns[i] - before[2]->unknowns[i]) / h2;
+      const double third = ((slope - slope1) / (h + h1) - (slope1 - slope2) / (h1 + h2)) / (h + h1 + h2);
+      error = third * h * (h + h1) / settings_.rate_factor;
+    }
+    sum += error * error;
+    size += unknowns[i] * unknowns[i];
+  }
+  return size > 0 ? std::sqrt(sum / size) : 0.0;
+}
+
+StepReport FlowSolver::step_to(double t) {
+  StepReport report;
+  prepare_step(t);
+  std::vector<double> unknowns = frozen_;
+  try {
+    solve_step(unknowns, report);
+  } catch (const ComputationFailed&) {
+    linear_->discard_factors();
+    move_mesh(time());
+    throw;
+  }
+  report.relative_error = local_error(unknowns);
+  assemble(unknowns, reactions_, false);
+  if (levels_.size() > 2) levels_.erase(levels_.begin());
+  levels_.push_back({step_time_, std::move(unknowns)});
+  return report;
 }
 
 }  // namespace turgor

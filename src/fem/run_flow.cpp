@@ -71,6 +71,7 @@ class FlowRun {
     result_.size = problem_.size();
     result_.time = problem_.time();
     result_.wall_seconds = spent();
+    if (const auto points = problem_.outflow(); !points.empty()) folder_.write_profile(points);
     std::ranges::copy(problem_.warnings(), std::back_inserter(result_.warnings));
     folder_.finish(flow_run_json(case_, result_, options_), result_.status == "complete");
     return std::move(result_);

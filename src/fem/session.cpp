@@ -23,7 +23,8 @@ FemSession::FemSession() {
   int count = static_cast<int>(words.size());
   char** arguments = pointers.data();
   if (PetscInitialize(&count, &arguments, nullptr, nullptr) != 0) throw ComputationFailed("PETSc cannot be started");
-  dealii::MultithreadInfo::set_thread_limit(1);  // sums in the same order in every run
+  PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);  // errors become exceptions, without its own report
+  dealii::MultithreadInfo::set_thread_limit(1);             // sums in the same order in every run
 }
 
 FemSession::~FemSession() { PetscFinalize(); }

@@ -1,137 +1,107 @@
-// The libraries themselves: assembly by deal.II, solution by PETSc and MUMPS.
+// Sparse systems by MUMPS, and by GMRES with factors of an earlier matrix.
 
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/dofs/dof_tools.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_system.h>
-#include <deal.II/fe/fe_values.h>
-#include <deal.II/grid/grid_generator.h>
-#include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/petsc_sparse_matrix.h>
-#include <deal.II/lac/petsc_vector.h>
-#include <deal.II/numerics/vector_tools.h>
+#include "turgor/fem/linear_solver.hpp"
+
 #include <gtest/gtest.h>
-#include <petscksp.h>
+
+#include <cmath>
 
 #include "../support/fem.hpp"
+#include "turgor/base/errors.hpp"
 
 namespace turgor {
 namespace {
 
-using namespace dealii;
+constexpr int size = 400;
 
-/// u = (y (1 - y), 0), p = 2 (1 - x) on the unit square, viscosity 1.
-class Poiseuille : public Function<2> {
- public:
-  Poiseuille() : Function<2>(3) {}
-  [[nodiscard]] double value(const Point<2>& at, unsigned component) const override {
-    if (component == 0) return at[1] * (1 - at[1]);
-    return component == 1 ? 0 : 2 * (1 - at[0]);
-  }
-};
-
-/// Stokes flow by Q2/Q1 elements with the velocity of Poiseuille on all sides, and its pressure in one corner.
-class StokesSquare {
- public:
-  StokesSquare() : element_(FE_Q<2>(2), 2, FE_Q<2>(1), 1), handler_(mesh_) {
-    GridGenerator::hyper_cube(mesh_);
-    mesh_.refine_global(3);
-    handler_.distribute_dofs(element_);
-    const ComponentMask velocity(std::vector<bool>{true, true, false});
-    VectorTools::interpolate_boundary_values(handler_, 0, exact_, boundary_, velocity);
-    fix_pressure();
-    boundary_.close();
-    DynamicSparsityPattern pattern(handler_.n_dofs());
-    DoFTools::make_sparsity_pattern(handler_, pattern, boundary_, true);
-    matrix.reinit(pattern);
-    right = PETScWrappers::MPI::Vector(PETSC_COMM_SELF, handler_.n_dofs(), handler_.n_dofs());
-    assemble();
-  }
-
-  /// Greatest nodal error of velocity and pressure.
-  [[nodiscard]] double error(PETScWrappers::MPI::Vector& solution) const {
-    boundary_.distribute(solution);
-    PETScWrappers::MPI::Vector nodal(solution);
-    VectorTools::interpolate(handler_, exact_, nodal);
-    nodal -= solution;
-    return nodal.linfty_norm();
-  }
-
-  PETScWrappers::SparseMatrix matrix;
-  PETScWrappers::MPI::Vector right;
-
- private:
-  /// The pressure at the vertex (1, 1) is zero.
-  void fix_pressure() {
-    for (const auto& cell : handler_.active_cell_iterators()) {
-      if (cell->vertex(3).distance(Point<2>(1, 1)) > 1e-12) continue;
-      boundary_.add_line(cell->vertex_dof_index(3, 2));
+/// Rows with the diagonal, its neighbours and a far column.
+SparsePattern pattern() {
+  SparsePattern p;
+  p.row_start.push_back(0);
+  for (int i = 0; i < size; ++i) {
+    for (int j = 0; j < size; ++j) {
+      if (std::abs(i - j) <= 1 || j == (i + size / 2) % size) p.columns.push_back(j);
     }
+    p.row_start.push_back(static_cast<int>(p.columns.size()));
   }
-
-  void assemble() {
-    const QGauss<2> rule(3);
-    FEValues<2> values(element_, rule, update_values | update_gradients | update_JxW_values);
-    const FEValuesExtractors::Vector u(0);
-    const FEValuesExtractors::Scalar p(2);
-    const unsigned n = element_.n_dofs_per_cell();
-    FullMatrix<double> local(n, n);
-    const Vector<double> force(n);
-    std::vector<types::global_dof_index> dofs(n);
-    for (const auto& cell : handler_.active_cell_iterators()) {
-      values.reinit(cell);
-      local = 0;
-      for (const unsigned q : values.quadrature_point_indices()) {
-        for (const unsigned i : values.dof_indices()) {
-          for (const unsigned j : values.dof_indices()) {
-            local(i, j) += (scalar_product(values[u].gradient(i, q), values[u].gradient(j, q)) -
-                            values[u].divergence(i, q) * values[p].value(j, q) -
-                            values[p].value(i, q) * values[u].divergence(j, q)) *
-                           values.JxW(q);
-          }
-        }
-      }
-      cell->get_dof_indices(dofs);
-      boundary_.distribute_local_to_global(local, force, dofs, matrix, right);
-    }
-    matrix.compress(VectorOperation::add);
-    right.compress(VectorOperation::add);
-  }
-
-  Poiseuille exact_;
-  Triangulation<2> mesh_;
-  FESystem<2> element_;
-  DoFHandler<2> handler_;
-  AffineConstraints<double> boundary_;
-};
-
-void solve_by_mumps(Mat matrix, Vec right, Vec solution) {
-  KSP solver = nullptr;
-  PC factors = nullptr;
-  ASSERT_EQ(KSPCreate(PETSC_COMM_SELF, &solver), 0);
-  ASSERT_EQ(KSPSetOperators(solver, matrix, matrix), 0);
-  ASSERT_EQ(KSPSetType(solver, KSPPREONLY), 0);
-  ASSERT_EQ(KSPGetPC(solver, &factors), 0);
-  ASSERT_EQ(PCSetType(factors, PCLU), 0);
-  ASSERT_EQ(PCFactorSetMatSolverType(factors, MATSOLVERMUMPS), 0);
-  ASSERT_EQ(KSPSolve(solver, right, solution), 0);
-  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
-  KSPGetConvergedReason(solver, &reason);
-  EXPECT_GT(reason, 0);
-  KSPDestroy(&solver);
+  return p;
 }
 
-// Quadratic velocity and linear pressure lie in the spaces, so that only rounding is left: the saddle point's condition
-// of about 1e4 times 1e-16.
-TEST(LinearSolver, MumpsSolvesASaddlePoint) {
-  StokesSquare square;
-  PETScWrappers::MPI::Vector solution(square.right);
-  solve_by_mumps(square.matrix, square.right, solution);
-  PETScWrappers::MPI::Vector residual(square.right);
-  EXPECT_LT(square.matrix.residual(residual, solution, square.right), 1e-12 * square.right.l2_norm());
-  EXPECT_LT(square.error(solution), 1e-11);
+/// An unsymmetric matrix without zeros on the diagonal; `turn` changes all of it.
+void fill(LinearSolver& solver, double turn) {
+  for (std::size_t k = 0; k < solver.values().size(); ++k)
+    solver.values()[k] = std::sin(1.0 + 3.7 * static_cast<double>(k) + turn);
+  for (int i = 0; i < size; ++i) solver.values()[static_cast<std::size_t>(solver.pattern().find(i, i))] += 3;
+}
+
+double residual(LinearSolver& solver, const std::vector<double>& b, const std::vector<double>& x) {
+  double off = 0;
+  double all = 0;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    double row = b[i];
+    for (int k = solver.pattern().row_start[i]; k < solver.pattern().row_start[i + 1]; ++k) {
+      const auto at = static_cast<std::size_t>(k);
+      row -= solver.values()[at] * x[static_cast<std::size_t>(solver.pattern().columns[at])];
+    }
+    off += row * row;
+    all += b[i] * b[i];
+  }
+  return std::sqrt(off / all);
+}
+
+std::vector<double> right_hand_side() {
+  std::vector<double> b;
+  for (int i = 0; i < size; ++i) b.push_back(std::cos(0.3 * i));
+  return b;
+}
+
+TEST(LinearSolver, SolvesAndKeepsItsFactorsWhileTheyServe) {
+  LinearSolver solver(pattern());
+  const std::vector<double> b = right_hand_side();
+  std::vector<double> x;
+  fill(solver, 0);
+  const LinearReport first = solver.solve(b, x, 1e-10);
+  EXPECT_EQ(first.factorizations, 1);
+  EXPECT_LE(first.iterations, 2);
+  EXPECT_LT(residual(solver, b, x), 2e-10);
+  fill(solver, 0.01);
+  const LinearReport second = solver.solve(b, x, 1e-10);
+  EXPECT_EQ(second.factorizations, 0);
+  EXPECT_GT(second.iterations, 1);
+  EXPECT_LT(residual(solver, b, x), 2e-10);
+  EXPECT_NEAR(second.residual, residual(solver, b, x), 1e-12);
+  solver.discard_factors();
+  EXPECT_EQ(solver.solve(b, x, 1e-10).factorizations, 1);
+}
+
+TEST(LinearSolver, FactorizesAnewWhenTheMatrixIsAnotherOne) {
+  LinearSolver solver(pattern());
+  const std::vector<double> b = right_hand_side();
+  std::vector<double> x;
+  fill(solver, 0);
+  (void)solver.solve(b, x, 1e-10);
+  fill(solver, 2);
+  (void)solver.solve(b, x, 1e-10);  // slow, or with new factors already
+  fill(solver, 2);
+  EXPECT_LE(solver.solve(b, x, 1e-10).iterations, 2);
+  EXPECT_LT(residual(solver, b, x), 2e-10);
+}
+
+TEST(LinearSolver, SaysWhenThereIsNoSolution) {
+  LinearSolver solver(pattern());
+  std::vector<double> x;
+  EXPECT_THROW((void)solver.solve(right_hand_side(), x, 1e-10), ComputationFailed);  // the zero matrix
+  fill(solver, 0);
+  EXPECT_LT(solver.solve(right_hand_side(), x, 1e-10).residual, 1e-10);  // and goes on
+  EXPECT_THROW((void)solver.solve(std::vector<double>(size, std::nan("")), x, 1e-10), ComputationFailed);
+}
+
+TEST(LinearSolver, NothingComesOutOfNothing) {
+  LinearSolver solver(pattern());
+  std::vector<double> x;
+  fill(solver, 0);
+  EXPECT_EQ(solver.solve(std::vector<double>(size, 0.0), x, 1e-10).iterations, 0);
+  EXPECT_EQ(x, std::vector<double>(size, 0.0));
 }
 
 }  // namespace

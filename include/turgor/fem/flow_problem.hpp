@@ -54,6 +54,12 @@ struct FlowSize {
   long unknowns;
 };
 
+/// A point of the profile of the outflow.
+struct OutflowPoint {
+  double upsilon;  ///< distance from the axis over the orifice's radius
+  double f;        ///< velocity over its mean
+};
+
 /// A flow that can be advanced. Begins at t = 0.
 class FlowProblem {
  public:
@@ -78,6 +84,9 @@ class FlowProblem {
   virtual void save(Checkpoint& checkpoint) const = 0;
   /// @throws ComputationFailed when arrays are missing or of another size
   virtual void load(const Checkpoint& checkpoint) = 0;
+  /// Profile over the orifice, averaged over the time in which the balloon deflated at a constant rate; empty when it
+  /// did not.
+  [[nodiscard]] virtual std::vector<OutflowPoint> outflow() const { return {}; }
   /// Assumptions that this flow has strained so far.
   [[nodiscard]] virtual std::vector<Warning> warnings() const { return {}; }
 };

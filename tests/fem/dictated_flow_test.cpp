@@ -1,0 +1,191 @@
+// The flow in balloons of dictated motion, on coarse meshes.
+
+#include "turgor/fem/dictated_flow.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "../support/fem.hpp"
+#include "turgor/base/errors.hpp"
+#include "turgor/fem/run_flow.hpp"
+#include "turgor/flow/outflow_profile.hpp"
+
+namespace turgor {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// The paper's 30 cm balloon with an orifice of 3 cm, on about 200 cells.
+std::string balloon(const std::string& velocity, const std::string& more = "", const std::string& channel = "0 cm") {
+  return R"(
+title = "test"
+[balloon]
+radius = "30 cm"
+thickness = "3 mm"
+density = "1000 kg/m^3"
+[material]
+model = "mooney-rivlin"
+s1 = "1.5 MPa"
+s2 = "0.15 MPa"
+[fluid]
+density = "1000 kg/m^3"
+viscosity = "8.94e-4 Pa s"
+[inlet]
+orifice_radius = "3 cm"
+channel_length = ")" +
+         channel + R"("
+[motion]
+radius = "30 cm"
+velocity = )" +
+         velocity + R"(
+[fem]
+h_rim = "2 mm"
+h_orifice = "5 mm"
+h_wall = "25 mm"
+)" + more;
+}
+
+Case case_of(const std::string& text) { return parse_case(text, "test.toml"); }
+
+constexpr const char* deflation = R"([{ to = "-2 cm/s", over = "100 ms", shape = "smooth" }, { hold = "50 ms" }])";
+constexpr const char* inflation = R"([{ to = "2 cm/s", over = "100 ms", shape = "smooth" }, { hold = "50 ms" }])";
+
+/// Volume of a sphere of radius r that is cut off by the plane of its orifice, and its derivative by differences.
+double cut_sphere(double r, double a) {
+  const double height = r + std::sqrt(r * r - a * a);
+  return pi * height * height * (3 * r - height) / 3;
+}
+
+// What leaves is what the wall displaces, at every step; quadratic edges make the volume right to 1e-5 here.
+TEST(DictatedFlow, ConservesMass) {
+  for (const char* motion : {deflation, inflation}) {
+    const auto flow = make_dictated_flow(case_of(balloon(motion)));
+    double volume = flow->row().volume;
+    EXPECT_NEAR(volume, cut_sphere(0.3, 0.03), 1e-5 * volume);
+    for (int k = 0; k < 12; ++k) {
+      const SolverRow step = flow->step(0.15);
+      const FlowRow row = flow->row();
+      const double h = 1e-6;
+      const double rate = (cut_sphere(row.radius + h, 0.03) - cut_sphere(row.radius - h, 0.03)) / (2 * h) * row.rate;
+      EXPECT_NEAR(row.flow_rate, rate, 1e-5 * std::abs(rate));
+      EXPECT_LT(std::abs(step.volume_error), 1e-5);
+      EXPECT_GT(step.min_jacobian, 0.9);
+    }
+  }
+}
+
+// The instant after rest: potential flow, whose wall is pressed by rho r^4 r''/r_ch times
+//   4 pi^2 + 4 pi kappa ln(1/(2 kappa)): the added mass of a sphere around a hole with uniform pressure in it, for a
+//   sphere
+//     that grows about a fixed centre (both terms of its expansion in kappa), and
+//   4 pi kappa: the rim is fixed, so that the sphere as a whole rises with r'', which presses with -rho z r'', on the
+//     average over the wall with -rho r r''.
+// 0.5 % for the mesh and for the order kappa^2; bdf2 is off by 0.3 % for t^3 after 15 steps.
+TEST(DictatedFlow, StartsAsPotentialFlow) {
+  const auto flow = make_dictated_flow(
+      case_of(balloon(R"([{ to = "-2 mm/s", over = "10 s", shape = "smooth" }])", "time_step = \"20 ms\"\n")));
+  for (int k = 0; k < 15; ++k) (void)flow->step(0.3);
+  const FlowRow row = flow->row();
+  const double kappa = 0.03 / row.radius;
+  const double coefficient = 4 * pi * pi + 4 * pi * kappa * (1 - std::log(2 * kappa));
+  EXPECT_NEAR(row.force / (1000 * std::pow(row.radius, 4) * row.acceleration / 0.03), -coefficient,
+              0.005 * coefficient);
+}
+
+// Both are the pressure on a wall that moves nearly radially; viscous stresses are a 1e-5 of it.
+TEST(DictatedFlow, BothForcesAgreeInDeflation) {
+  const auto flow = make_dictated_flow(case_of(balloon(deflation)));
+  while (flow->time() < 0.15) (void)flow->step(0.15);
+  const FlowRow row = flow->row();
+  EXPECT_GT(row.force, 0);
+  EXPECT_NEAR(row.force_mode, row.force, 0.02 * row.force);
+}
+
+// (2.15) was made for this: within the 15 % that the paper's profile and this mesh leave.
+TEST(DictatedFlow, DeflationIsWhatTheCorrectedClosureSays) {
+  const auto flow = make_dictated_flow(case_of(balloon(deflation)));
+  while (flow->time() < 0.15) (void)flow->step(0.15);
+  const FlowRow row = flow->row();
+  const double model = 150 * 1000 * row.rate * row.rate * std::pow(row.radius, 6) / std::pow(0.03, 4);
+  EXPECT_NEAR(row.force, model, 0.15 * model);
+}
+
+TEST(DictatedFlow, ProfileIsANormalizedOutflow) {
+  const auto flow = make_dictated_flow(case_of(balloon(deflation)));
+  EXPECT_TRUE(flow->outflow().empty());
+  while (flow->time() < 0.15) (void)flow->step(0.15);
+  std::vector<double> upsilon;
+  std::vector<double> f;
+  for (const auto& point : flow->outflow()) {
+    upsilon.push_back(point.upsilon);
+    f.push_back(point.f);
+  }
+  const OutflowProfile profile = OutflowProfile::table(upsilon, f);
+  EXPECT_NEAR(profile.normalisation(), 1, 0.02);  // monotone cubics against the elements' parabolas
+  EXPECT_GT(profile(0), 1.1);
+  EXPECT_EQ(f.back(), 0);
+}
+
+TEST(DictatedFlow, GoesOnFromACheckpointToTheSameBits) {
+  const Case c = case_of(balloon(inflation));
+  const auto whole = make_dictated_flow(c);
+  for (int k = 0; k < 6; ++k) (void)whole->step(0.15);
+  Checkpoint checkpoint;
+  whole->save(checkpoint);
+  checkpoint.step = 6;
+  const auto resumed = make_dictated_flow(c);
+  resumed->load(checkpoint);
+  for (int k = 0; k < 6; ++k) {
+    const SolverRow one = whole->step(0.15);
+    const SolverRow other = resumed->step(0.15);
+    EXPECT_EQ(one.time, other.time);
+    EXPECT_EQ(one.linear_iterations, other.linear_iterations);
+    EXPECT_EQ(whole->row().force, resumed->row().force);
+    EXPECT_EQ(whole->row().wall_work, resumed->row().wall_work);
+  }
+  checkpoint.arrays.erase("works");
+  EXPECT_THROW(make_dictated_flow(c)->load(checkpoint), ComputationFailed);
+}
+
+// Slip or not, both inlets, with a channel: the liquid column of 20 cm is accelerated, which takes most of the force.
+TEST(DictatedFlow, ChannelAddsItsInertia) {
+  for (const char* keys : {"wall = \"slip\"", "wall = \"no-slip\"\ntangential = \"zero\""}) {
+    std::string text =
+        balloon(R"([{ to = "-2 mm/s", over = "10 s", shape = "smooth" }])", "time_step = \"20 ms\"\n", "20 cm");
+    text.insert(text.find("channel_length"), std::string(keys) + "\n");
+    const auto flow = make_dictated_flow(case_of(text));
+    for (int k = 0; k < 15; ++k) (void)flow->step(0.3);
+    const FlowRow row = flow->row();
+    const double opening = 4 * pi * pi - 4 * pi * 0.1 * std::log(0.2);
+    const double column = 16 * pi * 0.2 / 0.03;  // rho L (4 r^2/a^2) r'' on 4 pi r^2
+    const double force = row.force / (1000 * std::pow(row.radius, 4) * row.acceleration / 0.03);
+    EXPECT_NEAR(force, -(column + opening), 0.05 * (column + opening)) << keys;
+  }
+}
+
+TEST(DictatedFlow, NamesWhatCannotBeMeshed) {
+  try {
+    (void)make_dictated_flow(case_of(balloon(deflation, "", "1000 km")));
+    FAIL() << "expected InvalidInput";
+  } catch (const InvalidInput& error) {
+    EXPECT_FALSE(error.issues().front().key.empty());
+  }
+}
+
+// A step far beyond what Newton's method can take, and not to be halved.
+TEST(DictatedFlow, SaysThatAFixedStepIsTooLong) {
+  const Case c = case_of(balloon(R"([{ to = "2 m/s", over = "100 ms", shape = "smooth" }, { hold = "50 ms" }])",
+                                 "time_step = \"50 ms\"\nmax_iterations = 3\n"));
+  const auto flow = make_dictated_flow(c);
+  try {
+    while (flow->time() < 0.15) (void)flow->step(0.15);
+    FAIL() << "expected ComputationFailed";
+  } catch (const ComputationFailed& failure) {
+    EXPECT_NE(std::string(failure.what()).find("with a step of"), std::string::npos) << failure.what();
+  }
+}
+
+}  // namespace
+}  // namespace turgor
