@@ -45,6 +45,7 @@ CLI::App* add_fem_flow(CLI::App& fem, FemFlowArguments& arguments) {
                    "stop with a checkpoint after so many seconds by the clock on the wall")
       ->check(CLI::PositiveNumber)
       ->type_name("S");
+  command->add_flag("--no-pictures", arguments.no_pictures, "draw no pictures of the fields");
   command->add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
   return command;
 }
@@ -66,7 +67,8 @@ int compute_fem_flow(const FemFlowArguments& arguments, const FlowProblemMaker& 
                                line.reach(time);
                                return !interrupted();
                              },
-                         .versions = versions};
+                         .versions = versions,
+                         .pictures = c.output.pictures && !arguments.no_pictures};
   if (arguments.max_wall_seconds > 0) options.max_wall_seconds = arguments.max_wall_seconds;
   const FlowRunResult result = run_flow(c, *problem, folder, options);
   line.finish();

@@ -15,6 +15,7 @@ struct FemFlowArguments {
   std::string directory;
   bool force = false;
   bool resume = false;
+  bool no_pictures = false;
   bool quiet = false;
   double max_wall_seconds = 0;  ///< 0: no limit
 };

@@ -125,11 +125,12 @@ void FlowRunFolder::append(const FlowRow& row) { history_->append(history_line(o
 
 void FlowRunFolder::append(const SolverRow& row) { solver_->append(solver_line(output_, row)); }
 
-void FlowRunFolder::add_field(double time, const VtuGrid& field) {
+std::string FlowRunFolder::add_field(double time, const VtuGrid& field) {
   const std::string name = field_name(series_.size());
   folder_.write(name, vtu_text(field));
   series_.push_back({time, name});
   write_series();
+  return fs::path(name).stem().string();
 }
 
 void FlowRunFolder::write_profile(const std::vector<OutflowPoint>& points) {

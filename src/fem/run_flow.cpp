@@ -7,6 +7,7 @@
 #include "turgor/base/errors.hpp"
 #include "turgor/base/text.hpp"
 #include "turgor/run/report.hpp"
+#include "turgor/view/field_picture.hpp"
 
 namespace turgor {
 
@@ -124,7 +125,22 @@ class FlowRun {
 
   void write(const FlowStop& stop) {
     if (stop.row) folder_.append(problem_.row());
-    if (stop.field) folder_.add_field(problem_.time(), problem_.fields());
+    if (stop.field) add_field();
+  }
+
+  void add_field() {
+    const VtuGrid field = problem_.fields();
+    const std::string name = folder_.add_field(problem_.time(), field);
+    if (!options_.pictures || !pictures_work_) return;
+    const auto state = dictated_motion(case_).at(problem_.time());
+    const std::string subtitle = "t = " + rounded(problem_.time(), 5) + " s, r = " + rounded(state.radius, 5) +
+                                 " m, dr/dt = " + rounded(state.rate, 4) + " m/s";
+    const std::string problem =
+        draw_field(field, {case_.title, subtitle, case_.parameters.orifice_radius, case_.output.length_unit},
+                   folder_.path() / "fields", name);
+    if (problem.empty()) return;
+    pictures_work_ = false;  // once is enough
+    result_.warnings.push_back({"pictures", problem});
   }
 
   /// After a step: keeps a checkpoint when one is due; false when the run was interrupted.
@@ -164,7 +180,7 @@ class FlowRun {
     if (!state_is_whole_) return;
     try {
       save();
-      folder_.add_field(problem_.time(), problem_.fields());
+      add_field();
     } catch (const std::exception& error) {
       result_.warnings.push_back({"last-state", std::string("the last state could not be kept: ") + error.what()});
     }
@@ -180,6 +196,7 @@ class FlowRun {
   double spent_before_ = 0;  ///< before a resumption
   Clock::time_point begin_ = Clock::now();
   Clock::time_point last_save_ = begin_;
+  bool pictures_work_ = true;
   bool state_is_whole_ = false;  ///< during a step: whatever it began with is written
 };
 

@@ -41,7 +41,8 @@ class FlowRunFolder {
   void append(const FlowRow& row);
   void append(const SolverRow& row);
   /// Writes fields/flow-NNNNN.vtu and enters it into fields.pvd.
-  void add_field(double time, const VtuGrid& field);
+  /// @return "flow-NNNNN"
+  std::string add_field(double time, const VtuGrid& field);
   /// Writes profile.csv, which `turgor profile` and `model.profile` read.
   void write_profile(const std::vector<OutflowPoint>& points);
   /// Completes what the solver has put into it, and keeps it.

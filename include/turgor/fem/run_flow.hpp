@@ -26,6 +26,7 @@ struct FlowRunOptions {
   double max_wall_seconds = std::numeric_limits<double>::infinity();
   Progress progress{};                                          ///< asked after every step
   std::vector<std::pair<std::string, std::string>> versions{};  ///< of libraries, for run.json
+  bool pictures = false;                                        ///< of every field
 };
 
 struct FlowRunResult {
