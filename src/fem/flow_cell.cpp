@@ -78,49 +78,53 @@ Stabilization stabilization(const CellPoint& at, const CellSettings& s, const st
 TURGOR_FOR_PROCESSORS void add_tangent(const ShapeValues& shape, const CellPoint& at, const Stabilization& stable,
                                        const CellSettings& s, const detail::PointValues<double>& v, CellTangent& out) {
   constexpr std::size_t n = velocity_nodes;
-  std::array<double, n>
-      carried{};                   // rho (rate factor + a.grad) N_j, what the momentum equation makes of a velocity N_j
-  std::array<double, n> upwind{};  // tau a.grad N_i
-  std::array<double, n> hoop{};    // N/r
-  std::array<double, n> radial{};  // its divergence when radial
+  // copies, so that the compiler knows that the sums below do not change them
+  const std::array<double, n> value = shape.value;
+  const std::array<double, n> to_r = at.gradient[0];
+  const std::array<double, n> to_z = at.gradient[1];
+  const double mu = at.volume * s.viscosity;
+  const double gamma = at.volume * stable.grad_div;
+  const double tau = at.volume * stable.streamline;
+  const double rho = at.volume * s.density;
+  std::array<double, n> carried{};  // r rho (rate factor + a.grad) N_j, what the momentum equation makes of N_j
+  std::array<double, n> spread{};   // r mu laplace N_j
+  std::array<double, n> upwind{};   // tau a.grad N_i
+  std::array<double, n> hoop{};     // N/r
+  std::array<double, n> radial{};   // divergence of N in radial direction
   for (std::size_t j = 0; j < n; ++j) {
-    const double along = v.advection[0] * at.gradient[0][j] + v.advection[1] * at.gradient[1][j];
-    carried[j] = s.density * (s.rate_factor * shape.value[j] + along);
+    const double along = v.advection[0] * to_r[j] + v.advection[1] * to_z[j];
+    carried[j] = rho * (s.rate_factor * value[j] + along);
+    spread[j] = mu * at.laplacian[j];
     upwind[j] = stable.streamline * along;
-    hoop[j] = shape.value[j] / at.radius;
-    radial[j] = at.gradient[0][j] + hoop[j];
+    hoop[j] = value[j] / at.radius;
+    radial[j] = to_r[j] + hoop[j];
   }
-  const auto& axial = at.gradient[1];
-  const double w = at.volume;
   for (std::size_t i = 0; i < n; ++i) {
-    const double test = shape.value[i] + upwind[i];
-    const double gr = at.gradient[0][i];
-    const double gz = at.gradient[1][i];
+    const double test = value[i] + upwind[i];
+    const double gr = to_r[i];
+    const double gz = to_z[i];
+    const double ring = mu * (2 * hoop[i] + upwind[i] / at.radius);
+    const double div_r = gamma * radial[i];
+    const double div_z = gamma * gz;
+    // du/dx_d tested, and the change of the upwinded test function
+    const double rr = rho * test * v.gradient[0][0] + tau * gr * v.strong[0];
+    const double rz = rho * test * v.gradient[0][1] + tau * gz * v.strong[0];
+    const double zr = rho * test * v.gradient[1][0] + tau * gr * v.strong[1];
+    const double zz = rho * test * v.gradient[1][1] + tau * gz * v.strong[1];
     for (std::size_t j = 0; j < n; ++j) {
-      const double hr = at.gradient[0][j];
-      const double hz = at.gradient[1][j];
-      const double stress = s.viscosity * (gr * hr + gz * hz);
-      const double both = w * (carried[j] * test + stress - s.viscosity * upwind[i] * at.laplacian[j]);
-      const double turned = w * s.density * test * shape.value[j];  // rho N_j d u/dx_d tested
-      const double bent = w * stable.streamline * shape.value[j];   // change of the test function
-      const double mu = w * s.viscosity;
-      const double gamma = w * stable.grad_div;
-      const double ring = mu * hoop[j] * (2 * hoop[i] + upwind[i] / at.radius);
-      out[i][j] += both + turned * v.gradient[0][0] + bent * gr * v.strong[0] + mu * gr * hr +
-                   gamma * radial[i] * radial[j] + ring;
-      out[i][n + j] +=
-          turned * v.gradient[0][1] + bent * gz * v.strong[0] + mu * gz * hr + gamma * radial[i] * axial[j];
-      out[n + i][j] +=
-          turned * v.gradient[1][0] + bent * gr * v.strong[1] + mu * gr * hz + gamma * axial[i] * radial[j];
-      out[n + i][n + j] +=
-          both + turned * v.gradient[1][1] + bent * gz * v.strong[1] + mu * gz * hz + gamma * axial[i] * axial[j];
+      const double both = carried[j] * test + mu * (gr * to_r[j] + gz * to_z[j]) - upwind[i] * spread[j];
+      out[i][j] += both + rr * value[j] + mu * gr * to_r[j] + div_r * radial[j] + ring * hoop[j];
+      out[i][n + j] += rz * value[j] + mu * gz * to_r[j] + div_r * to_z[j];
+      out[n + i][j] += zr * value[j] + mu * gr * to_z[j] + div_z * radial[j];
+      out[n + i][n + j] += both + zz * value[j] + mu * gz * to_z[j] + div_z * to_z[j];
     }
     for (std::size_t k = 0; k < pressure_nodes; ++k) {
-      const double p = w * shape.pressure[k];
-      out[i][2 * n + k] += w * upwind[i] * at.pressure_gradient[0][k] - p * radial[i];
-      out[n + i][2 * n + k] += w * upwind[i] * at.pressure_gradient[1][k] - p * axial[i];
+      const double p = at.volume * shape.pressure[k];
+      const double push = at.volume * upwind[i];
+      out[i][2 * n + k] += push * at.pressure_gradient[0][k] - p * radial[i];
+      out[n + i][2 * n + k] += push * at.pressure_gradient[1][k] - p * gz;
       out[2 * n + k][i] -= p * radial[i];
-      out[2 * n + k][n + i] -= p * axial[i];
+      out[2 * n + k][n + i] -= p * gz;
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <petscsys.h>
 
 #include <array>
+#include <cstdlib>
 
 #include "turgor/base/errors.hpp"
 
@@ -20,6 +21,7 @@ std::string with_points(int major, int minor, int patch) {
 FemSession::FemSession() {
   static std::array<std::string, 3> words{"turgor-fem", "-skip_petscrc", "-no_signal_handler"};
   static std::array<char*, 4> pointers{words[0].data(), words[1].data(), words[2].data(), nullptr};
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);  // one process alone needs no daemon beside it
   int count = static_cast<int>(words.size());
   char** arguments = pointers.data();
   if (PetscInitialize(&count, &arguments, nullptr, nullptr) != 0) throw ComputationFailed("PETSc cannot be started");
