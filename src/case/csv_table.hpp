@@ -20,4 +20,20 @@ struct CsvColumn {
 [[nodiscard]] std::vector<CsvColumn> read_csv(const std::filesystem::path& file,
                                               const std::vector<std::vector<std::string>>& units);
 
+/// A column to look for: "force_mode [N]" has this name and a unit like this.
+struct CsvName {
+  std::string name;
+  std::string unit;  ///< SI
+};
+
+/// Some columns of a table that may still be growing.
+struct CsvExtract {
+  std::vector<std::vector<double>> columns;  ///< as looked for, in SI units; possibly without rows
+  bool cut;                                  ///< the last line had no end, and was left out
+};
+
+/// Reads columns by their names, wherever they stand; others may hold anything.
+/// @throws InvalidInput (without a key) naming file and row
+[[nodiscard]] CsvExtract extract_csv(const std::filesystem::path& file, const std::vector<CsvName>& names);
+
 }  // namespace turgor

@@ -147,6 +147,58 @@ std::string Node::text() const {
   return out;
 }
 
+namespace {
+
+using Difference = std::optional<NodeDifference>;
+
+/// A value that is neither table nor list; only texts are long, which text() would shorten.
+bool same_scalar(const Node& a, const Node& b) {
+  if (a.value.index() != b.value.index()) return false;
+  const auto* text = a.as<std::string>();
+  return text != nullptr ? *text == *b.as<std::string>() : a.text() == b.text();
+}
+
+Difference difference_at(const std::string& path, const Node* a, const Node* b, std::span<const std::string> ignored);
+
+Difference in_tables(const std::string& path, const Node& a, const Node& b, std::span<const std::string> ignored) {
+  const std::string prefix = path.empty() ? "" : path + ".";
+  for (const Node::Entry& entry : *a.as<Node::Table>()) {
+    if (auto found = difference_at(prefix + entry.key, &entry.node, b.find(entry.key), ignored)) return found;
+  }
+  for (const Node::Entry& entry : *b.as<Node::Table>()) {
+    if (a.find(entry.key) != nullptr) continue;
+    if (auto found = difference_at(prefix + entry.key, nullptr, &entry.node, ignored)) return found;
+  }
+  return std::nullopt;
+}
+
+Difference in_lists(const std::string& path, const Node& a, const Node& b, std::span<const std::string> ignored) {
+  const auto& first = *a.as<Node::Array>();
+  const auto& second = *b.as<Node::Array>();
+  if (first.size() != second.size()) return NodeDifference{path, &a, &b};
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const std::string place = path + "[" + std::to_string(i) + "]";
+    if (auto found = difference_at(place, &first[i], &second[i], ignored)) return found;
+  }
+  return std::nullopt;
+}
+
+Difference difference_at(const std::string& path, const Node* a, const Node* b, std::span<const std::string> ignored) {
+  if (std::ranges::find(ignored, path) != ignored.end()) return std::nullopt;
+  if (a == nullptr || b == nullptr) return NodeDifference{path, a, b};
+  if (a->as<Node::Table>() != nullptr && b->as<Node::Table>() != nullptr) return in_tables(path, *a, *b, ignored);
+  if (a->as<Node::Array>() != nullptr && b->as<Node::Array>() != nullptr) return in_lists(path, *a, *b, ignored);
+  if (same_scalar(*a, *b)) return std::nullopt;
+  return NodeDifference{path, a, b};
+}
+
+}  // namespace
+
+std::optional<NodeDifference> first_difference(const Node& first, const Node& second,
+                                               std::span<const std::string> ignored) {
+  return difference_at("", &first, &second, ignored);
+}
+
 std::string_view Node::type_name() const {
   static constexpr std::array<std::string_view, 8> names{"a table",  "a list",    "a string",       "an integer",
                                                          "a number", "a boolean", "a date or time", "a quantity"};

@@ -72,9 +72,17 @@ struct PortraitArguments {
   bool quiet = false;
 };
 
+struct VerifyArguments {
+  CaseArguments input;
+  ResultArguments results;
+  std::string fem;
+  bool quiet = false;
+};
+
 struct FigureArguments {
   std::string name;
   std::string cases;
+  std::string fem;
   ResultArguments results;
   bool json = false;
   bool quiet = false;
@@ -86,6 +94,7 @@ CLI::App* add_flow(CLI::App& app, FlowArguments& arguments);
 CLI::App* add_portrait(CLI::App& app, PortraitArguments& arguments);
 CLI::App* add_coefficients(CLI::App& app, CoefficientArguments& arguments);
 CLI::App* add_profile(CLI::App& app, ProfileArguments& arguments);
+CLI::App* add_verify(CLI::App& app, VerifyArguments& arguments);
 CLI::App* add_figure(CLI::App& app, FigureArguments& arguments);
 
 struct AsymptoticsArguments {
@@ -105,6 +114,7 @@ int write_flow(const FlowArguments& arguments);
 int write_portrait(const PortraitArguments& arguments);
 int print_coefficients(const CoefficientArguments& arguments);
 int print_profile(const ProfileArguments& arguments);
+int verify_case(const VerifyArguments& arguments);
 int make_figures(const FigureArguments& arguments);
 
 }  // namespace turgor::cli

@@ -47,10 +47,24 @@ fs::path cases_folder(const std::string& given) {
                      "name the folder that holds the case files, such as share/turgor/cases");
 }
 
+fs::path fem_folder(const FigureArguments& arguments) {
+  if (arguments.fem.empty()) return {};
+  if (arguments.name != "3" && arguments.name != "all") {
+    throw InvalidInput("--fem", "\"" + arguments.fem + "\"", "figure " + arguments.name + " shows no finite elements",
+                       "figure 3 does");
+  }
+  std::error_code error;
+  if (fs::is_directory(arguments.fem, error)) return arguments.fem;
+  throw InvalidInput(
+      "--fem", "\"" + arguments.fem + "\"", "is not a folder",
+      "name the folder that holds run directories of `turgor fem flow`, such as motion-orifice-30mm.fem");
+}
+
 /// As make_figure(), but of several figures one that fails does not end the others.
-MadeFigure make_one_of(const Figure& figure, const fs::path& cases, const ResultFolder& folder, bool pictures) {
+MadeFigure make_one_of(const Figure& figure, const fs::path& cases, const ResultFolder& folder, bool pictures,
+                       const fs::path& fem) {
   try {
-    return make_figure(figure, cases, folder, pictures);
+    return make_figure(figure, cases, folder, pictures, fem);
   } catch (const std::exception& error) {
     return {&figure, {}, {}, error.what()};
   }
@@ -80,6 +94,10 @@ CLI::App* add_figure(CLI::App& app, FigureArguments& arguments) {
   add_results(*command, arguments.results, "figure-NAME, or figures for all, in the current folder");
   command->add_option("--cases", arguments.cases, "folder of the case files; default: those that ship with turgor")
       ->type_name("DIR");
+  command
+      ->add_option("--fem", arguments.fem,
+                   "folder of run directories of `turgor fem flow`, named CASE.fem, that figure 3 shows too")
+      ->type_name("DIR");
   command->add_flag("--json", arguments.json, "print one JSON document and nothing else");
   command->add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
   return command;
@@ -90,6 +108,7 @@ int make_figures(const FigureArguments& arguments) {
   const std::vector<const Figure*> figures = wanted_figures(arguments.name);
   const bool all = arguments.name == "all";
   const fs::path cases = cases_folder(arguments.cases);
+  const fs::path fem = fem_folder(arguments);
   const std::string directory = arguments.results.directory;
   const std::string usual = all ? "figures" : "figure-" + arguments.name;
   const ResultFolder folder(directory.empty() ? usual : directory, contents_of(figures), arguments.results.force);
@@ -99,7 +118,8 @@ int make_figures(const FigureArguments& arguments) {
   std::vector<MadeFigure> made;
   for (const Figure* figure : figures) {
     const bool pictures = !arguments.results.no_pictures;
-    made.push_back(all ? make_one_of(*figure, cases, folder, pictures) : make_figure(*figure, cases, folder, pictures));
+    made.push_back(all ? make_one_of(*figure, cases, folder, pictures, fem)
+                       : make_figure(*figure, cases, folder, pictures, fem));
     folder.write("index.md", figures_index(made));  // now, so that it is there should a later figure never end
     line.reach(static_cast<double>(made.size()));
   }

@@ -98,6 +98,8 @@ int main(int argc, char** argv) {
   CLI::App* coefficients_command = add_coefficients(app, coefficients);
   ProfileArguments profile;
   CLI::App* profile_command = add_profile(app, profile);
+  VerifyArguments verification;
+  CLI::App* verify_command = add_verify(app, verification);
   FigureArguments figure;
   CLI::App* figure_command = add_figure(app, figure);
   AsymptoticsArguments asymptotics;
@@ -143,6 +145,7 @@ int main(int argc, char** argv) {
     return guarded(coefficients.json, [&] { return print_coefficients(coefficients); });
   }
   if (profile_command->parsed()) return guarded(profile.json, [&] { return print_profile(profile); });
+  if (verify_command->parsed()) return guarded(verification.input.json, [&] { return verify_case(verification); });
   if (figure_command->parsed()) return guarded(figure.json, [&] { return make_figures(figure); });
   if (asymptotics_command->parsed()) {
     return guarded(asymptotics.input.json, [&] { return print_asymptotics(asymptotics); });

@@ -176,9 +176,10 @@ ResultFolder::Contents contents_of(std::span<const Figure* const> figures) {
   return contents;
 }
 
-MadeFigure make_figure(const Figure& figure, const fs::path& cases, const ResultFolder& folder, bool pictures) {
+MadeFigure make_figure(const Figure& figure, const fs::path& cases, const ResultFolder& folder, bool pictures,
+                       const fs::path& fem) {
   const auto entry = std::ranges::find(entries(), figure.name, [](const Entry& e) { return e.figure.name; });
-  Studio studio(figure, cases, folder, pictures);
+  Studio studio(figure, cases, folder, pictures, fem);
   entry->make(studio);
   return studio.made();
 }
@@ -226,8 +227,8 @@ std::string figures_index(std::span<const MadeFigure> made) {
     for (const std::string& file : m.files) {
       if (file.ends_with(".png")) out += "![" + figure.title + "](" + file + ")\n";
     }
-    out += "\n" + figure.caption + "\n\n`turgor figure " + figure.name + "` · cases " + listed(figure.cases, "") +
-           " · numbers " + listed(figure.tables, ".csv") + "\n";
+    out += "\n" + figure.caption + m.note + "\n\n`turgor figure " + figure.name + "` · cases " +
+           listed(figure.cases, "") + " · numbers " + listed(figure.tables, ".csv") + "\n";
   }
   return out;
 }

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "../view/force_curves.hpp"
 #include "makers.hpp"
 #include "turgor/base/text.hpp"
 #include "turgor/case/units.hpp"
+#include "turgor/run/fem_history.hpp"
 #include "turgor/run/force_history.hpp"
 
 namespace turgor {
@@ -54,11 +56,43 @@ double greatest_force(const Case& c) {
   return greatest;
 }
 
+using FemHistories = std::vector<std::optional<FemHistory>>;
+
+/// What finite elements have of each case, in the folders that `turgor fem flow` would give them.
+FemHistories fem_histories(Studio& studio, const std::vector<Case>& cases) {
+  FemHistories histories(cases.size());
+  if (studio.fem().empty()) return histories;
+  std::string missing;
+  std::string partial;
+  const auto list = [](std::string& names, const std::string& name) {
+    names += (names.empty() ? "`" : ", `") + name + "`";
+  };
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const std::string name = cases[i].file.stem().string() + ".fem";
+    std::error_code error;
+    if (!std::filesystem::is_directory(studio.fem() / name, error)) {
+      list(missing, name);
+      continue;
+    }
+    histories[i] = read_fem_history(cases[i], studio.fem() / name);
+    if (!histories[i]->warnings.empty()) list(partial, name);
+  }
+  studio.say("Solid black: finite elements.");
+  if (!missing.empty()) studio.say("There are none of " + missing + ".");
+  if (!partial.empty()) studio.say("Not complete: " + partial + ".");
+  return histories;
+}
+
 /// A column of the picture: one size of the orifice.
 class Column {
  public:
-  Column(std::size_t index, std::size_t count, const Case& orifice, const Case& channel)
-      : index_(index), count_(count), orifice_(orifice), channel_(channel) {}
+  Column(std::size_t index, const std::vector<Case>& cases, const FemHistories& fem)
+      : index_(index),
+        count_(cases.size() / 2),  // orifices first, then channels in the same order
+        orifice_(cases[index]),
+        channel_(cases[count_ + index]),
+        fem_orifice_(fem[index]),
+        fem_channel_(fem[count_ + index]) {}
 
   /// Appends data blocks and returns the commands of its three panels.
   [[nodiscard]] std::string draw(std::string& data) const {
@@ -72,9 +106,9 @@ class Column {
     commands += "set title 'r_{ch} = " + rounded(orifice_.parameters.orifice_radius * 100, 3) + " cm' offset 0,-0.5\n";
     commands += first ? "set ylabel 'normalised [1]' offset 0.8\n" : "unset ylabel\n";
     commands += motion.command() + "unset title\nset autoscale y\nset ytics autofreq\n";
-    commands += forces(orifice_, "no channel", 0.445, 0.70, data);
+    commands += forces(orifice_, fem_orifice_, "no channel", 0.445, 0.70, data);
     commands += "set format x '%g'\nset xlabel 't [" + orifice_.output.time_unit + "]' offset 0,0.4\n";
-    return commands + forces(channel_, "channel", 0.15, 0.405, data);
+    return commands + forces(channel_, fem_channel_, "channel", 0.15, 0.405, data);
   }
 
  private:
@@ -83,11 +117,13 @@ class Column {
     const double left = 0.07 + width * static_cast<double>(index_);
     return panel(left, left + width - 0.06, bottom, top);
   }
-  [[nodiscard]] std::string forces(const Case& c, const std::string& name, double bottom, double top,
-                                   std::string& data) const {
+  [[nodiscard]] std::string forces(const Case& c, const std::optional<FemHistory>& fem, const std::string& name,
+                                   double bottom, double top, std::string& data) const {
     const ForceUnit unit = unit_for(greatest_force(c));
     Plot plot((c.parameters.channel_length > 0 ? "channel" : "orifice") + std::to_string(index_));
-    add_forces(plot, c, shown, unit_factor(c.output.time_unit, "s"), unit);
+    const double s = unit_factor(c.output.time_unit, "s");
+    if (fem) add_finite_elements(plot, *fem, s, unit);
+    add_forces(plot, c, shown, s, unit);
     data += plot.data();
     return place(bottom, top) + "set ylabel '" + (index_ == 0 ? name + ": " : "") + "F [" + unit.name + "]' offset " +
            (index_ == 0 ? "0.8" : "2") + "\nset offsets 0,0,graph 0.08,graph 0.08\n" + plot.command();
@@ -97,6 +133,8 @@ class Column {
   std::size_t count_;
   const Case& orifice_;
   const Case& channel_;
+  const std::optional<FemHistory>& fem_orifice_;
+  const std::optional<FemHistory>& fem_channel_;
 };
 
 }  // namespace
@@ -107,14 +145,16 @@ void make_force_figure(Studio& studio) {
   for (const std::string& name : studio.cases()) cases.push_back(studio.read(name));
   studio.table("figure-3", histories(cases));
   studio.table("figure-3-peaks", peaks(cases));
-  const std::size_t count = cases.size() / 2;  // orifices first, then channels in the same order
+  const FemHistories fem = fem_histories(studio, cases);
   std::string data;
   std::string commands =
       "set multiplot\nset xzeroaxis lt 1 lc rgb 'grey60'\nset tics font ',12'\nunset key\nset autoscale noextend\n";
-  for (std::size_t i = 0; i < count; ++i) commands += Column(i, count, cases[i], cases[count + i]).draw(data);
-  commands += key_row(0.005, {line_style(blue, "r - r(0)", {}), line_style(vermilion, "dr/dt", "'-'"),
-                              line_style("black", "-d^2r/dt^2", "'_. '"), line_style(green, "F by (2.12)", "'_. '"),
-                              line_style(orange, "F by (2.15)", "'-'")});
+  for (std::size_t i = 0; i < cases.size() / 2; ++i) commands += Column(i, cases, fem).draw(data);
+  std::vector<std::string> key{line_style(blue, "r - r(0)", {}), line_style(vermilion, "dr/dt", "'-'"),
+                               line_style("black", "-d^2r/dt^2", "'_. '"), line_style(green, "F by (2.12)", "'_. '"),
+                               line_style(orange, "F by (2.15)", "'-'")};
+  if (!studio.fem().empty()) key.push_back(line_style("black", "F by finite elements"));
+  commands += key_row(0.005, key);
   studio.picture("figure-3", data, commands + "unset multiplot\n", {1300, 760});
 }
 

@@ -33,8 +33,14 @@ class Table {
 /// Makes one figure.
 class Studio {
  public:
-  Studio(const Figure& figure, std::filesystem::path cases, const ResultFolder& folder, bool pictures)
-      : figure_(figure), cases_(std::move(cases)), folder_(folder), pictures_(pictures), made_{&figure, {}, {}, {}} {}
+  Studio(const Figure& figure, std::filesystem::path cases, const ResultFolder& folder, bool pictures,
+         std::filesystem::path fem)
+      : figure_(figure),
+        cases_(std::move(cases)),
+        folder_(folder),
+        pictures_(pictures),
+        fem_(std::move(fem)),
+        made_{&figure, {}, {}, {}} {}
 
   /// The figure's own case files.
   [[nodiscard]] const std::vector<std::string>& cases() const { return figure_.cases; }
@@ -42,6 +48,11 @@ class Studio {
   [[nodiscard]] Case read(const std::string& name, const std::vector<std::string>& overrides = {}) const {
     return read_case(cases_ / name, overrides);
   }
+
+  /// Folder of run directories of finite elements; empty when they are not shown.
+  [[nodiscard]] const std::filesystem::path& fem() const { return fem_; }
+  /// Adds a sentence to the caption.
+  void say(const std::string& sentence) { made_.note += " " + sentence; }
 
   /// Writes NAME.csv.
   /// @throws ComputationFailed when it cannot be written
@@ -68,6 +79,7 @@ class Studio {
   std::filesystem::path cases_;
   const ResultFolder& folder_;
   bool pictures_;
+  std::filesystem::path fem_;
   MadeFigure made_;
 };
 

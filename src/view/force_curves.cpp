@@ -16,8 +16,8 @@ struct Style {
   const char* colour;
   const char* dashes;
 };
-constexpr std::array closure_styles{Style{green, "'_. '"}, Style{orange, "'-'"}, Style{vermilion, "1"},
-                                    Style{"black", "'. '"}};
+constexpr std::array closure_styles{Style{green, "'_. '"}, Style{orange, "'-'"}, Style{vermilion, "(14,8)"},
+                                    Style{purple, "'. '"}};
 
 /// value(t, state) along the motion, in the given unit of time; where it jumps it has both values.
 template <class Value>
@@ -54,6 +54,11 @@ ForceUnit unit_for(double force) {
   return unit;
 }
 
+std::string closure_style(Closure closure) {
+  const Style& style = closure_styles.at(static_cast<std::size_t>(closure));
+  return line_style(style.colour, std::string(name_of(closure)), style.dashes);
+}
+
 Plot motion_plot(const Case& c, double time_unit, const std::string& prefix) {
   const double start = dictated_motion(c).at(0).radius;
   const auto curve = [&](const auto& value) {
@@ -73,12 +78,17 @@ void add_forces(Plot& plot, const Case& c, const std::vector<Closure>& closures,
                 const ForceUnit& unit) {
   for (const Closure closure : closures) {
     const std::string name(name_of(closure));
-    const Style& style = closure_styles.at(static_cast<std::size_t>(closure));
     const auto force = [&](double t, const Motion::State& state) {
       return forces_at(c, {closure}, t, state).all.front() / unit.newtons;
     };
-    plot.add(name, curve_of(c, time_unit, force), line_style(style.colour, name, style.dashes));
+    plot.add(name, curve_of(c, time_unit, force), closure_style(closure));
   }
+}
+
+void add_finite_elements(Plot& plot, const FemHistory& fem, double time_unit, const ForceUnit& unit) {
+  Curve curve;
+  for (const FemForces& row : fem.rows) curve.push_back({row.time / time_unit, row.force_mode / unit.newtons, false});
+  plot.add("fem", curve, line_style("black", "finite elements"));
 }
 
 void add_radius(Plot& plot, const Case& c, double time_unit, double length_unit) {

@@ -6,6 +6,7 @@
 
 #include "plot.hpp"
 #include "turgor/closure/closure.hpp"
+#include "turgor/run/fem_history.hpp"
 
 namespace turgor {
 
@@ -23,6 +24,12 @@ struct ForceUnit {
 /// The force by some closures against time, in the given units [s], [N].
 void add_forces(Plot& plot, const Case& c, const std::vector<Closure>& closures, double time_unit,
                 const ForceUnit& unit);
+
+/// How the force by a closure is drawn.
+[[nodiscard]] std::string closure_style(Closure closure);
+
+/// The force by finite elements, as far as it goes, in the given units.
+void add_finite_elements(Plot& plot, const FemHistory& fem, double time_unit, const ForceUnit& unit);
 
 /// The radius, dotted, on the second y axis, in the given units [s], [m].
 void add_radius(Plot& plot, const Case& c, double time_unit, double length_unit);

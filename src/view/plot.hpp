@@ -8,12 +8,13 @@
 
 namespace turgor {
 
-// Blue, vermilion, green and orange of M. Okabe & K. Ito's palette, told apart by every kind of colour vision and in
-// grey.
+// Blue, vermilion, green, orange and purple of M. Okabe & K. Ito's palette, told apart by every kind of colour vision
+// and in grey.
 inline constexpr const char* blue = "#0072B2";
 inline constexpr const char* vermilion = "#D55E00";
 inline constexpr const char* green = "#009E73";
 inline constexpr const char* orange = "#E69F00";
+inline constexpr const char* purple = "#CC79A7";
 
 /// Data blocks and the plot command that shows them; empty curves are left out.
 class Plot {

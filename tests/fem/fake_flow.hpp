@@ -40,6 +40,7 @@ class FakeFlow : public FlowProblem {
     row.rate = motion.rate;
     row.acceleration = motion.acceleration;
     row.force = state_;
+    row.force_mode = 2 * state_;
     return row;
   }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fake_flow.hpp"
+#include "turgor/run/fem_history.hpp"
 
 namespace turgor {
 namespace {
@@ -42,6 +43,22 @@ void run_rest(const Case& c, const std::filesystem::path& path) {
   FakeFlow flow(c);
   FlowRunFolder folder(path, c, EarlierRun::resume);
   ASSERT_EQ(run_flow(c, flow, folder).status, "complete");
+}
+
+// What `turgor verify` reads is what was written here.
+TEST(RunFlow, ForcesAreReadBack) {
+  const Folder folder;
+  const Case c = fake_case({"output.time_unit=ms", "output.length_unit=mm"});
+  FakeFlow flow(c);
+  FlowRunFolder files(folder / "run", c, EarlierRun::refuse);
+  ASSERT_EQ(run_flow(c, flow, files, {.progress = [](double t) { return t < 3; }}).status, "interrupted");
+  const FemHistory history = read_fem_history(c, folder / "run");
+  EXPECT_EQ(history.status, "interrupted");
+  ASSERT_EQ(history.rows.size(), 7U);
+  EXPECT_EQ(history.warnings.size(), 1U);
+  EXPECT_DOUBLE_EQ(history.rows.back().time, 3);
+  EXPECT_EQ(history.rows.back().force, flow.row().force);
+  EXPECT_EQ(history.rows.back().force_mode, flow.row().force_mode);
 }
 
 TEST(RunFlow, StepsOntoRowsFieldsAndKnots) {

@@ -2,6 +2,8 @@
 // A parsed case file: a tree of values that know where they stand.
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -57,7 +59,18 @@ struct Node::Entry {
 /// TOML: sweep.axes."inlet.orifice_radius".n. Nothing when there is none.
 [[nodiscard]] const Node* find_value(const Node& root, std::string_view path);
 
-/// The same, where missing keys are added as empty tables.
+/// A value that differs between two trees.
+struct NodeDifference {
+  std::string path;
+  const Node* first;  ///< in the trees; null where the key is missing
+  const Node* second;
+};
+/// The first one in the order of the trees.
+/// @param ignored  paths that may differ, with all below them
+[[nodiscard]] std::optional<NodeDifference> first_difference(const Node& first, const Node& second,
+                                                             std::span<const std::string> ignored);
+
+/// As find_value(), where missing keys are added as empty tables.
 /// @throws InvalidInput (without a key) when the path has no key, or runs through something that is not a table or list
 [[nodiscard]] Node& place_value(Node& root, std::string_view path);
 

@@ -37,6 +37,7 @@ struct MadeFigure {
   std::vector<std::string> files;  ///< that were written, in the folder
   std::string picture_problem;     ///< why there are no pictures, in words for a warning; empty when there are
   std::string failure;             ///< why it could not be made; empty when it was
+  std::string note{};              ///< what this one has beyond the caption, Markdown
 };
 
 /// What a folder of some figures holds.
@@ -46,9 +47,10 @@ struct MadeFigure {
 /// @param cases     folder of the case files
 /// @param folder    made with contents_of()
 /// @param pictures  whether to draw
+/// @param fem       folder of run directories of `turgor fem flow`, CASE.fem, to show; empty: none
 /// @throws InvalidInput when a case file cannot be read; ComputationFailed when a file cannot be written
 [[nodiscard]] MadeFigure make_figure(const Figure& figure, const std::filesystem::path& cases,
-                                     const ResultFolder& folder, bool pictures);
+                                     const ResultFolder& folder, bool pictures, const std::filesystem::path& fem = {});
 
 /// index.md: every figure that was made with its caption, case files, tables and the command that makes it; and what
 /// failed.
