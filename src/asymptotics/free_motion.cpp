@@ -35,7 +35,7 @@ FreeMotion::FreeMotion(const Oscillator<double>& oscillator, double pressure, do
       inflating_(oscillator.inertia(Regime::inflating)),
       deflating_(oscillator.inertia(Regime::deflating)) {
   const Closure closure = oscillator.parameters().closure;
-  if (is_exact(closure)) {
+  if (has_table(closure)) {
     throw InvalidInput("model.closure", "\"" + std::string(name_of(closure)) + "\"",
                        "has no closed approximations: they rest on masses that are powers of R",
                        "use \"corrected\" or \"theoretical\"");

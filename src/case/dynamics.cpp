@@ -27,12 +27,13 @@ void declare_dynamics(Schema& schema) {
               .choices = {"full", "orifice", "long-channel", "auto"},
               .fallback = "auto",
               .meaning = "(2.22), (2.23), (2.25), or the simplest whose dropped terms are all below auto_tolerance"});
-  schema.add(
-      {.path = "model.closure",
-       .kind = text,
-       .choices = {"theoretical", "corrected", "potential", "profile"},
-       .fallback = "corrected",
-       .meaning = "liquid in the balloon during deflation: (2.12), (2.15), (2.8) itself, or (2.8) for a profile"});
+  schema.add({.path = "model.closure",
+              .kind = text,
+              .choices = {"theoretical", "corrected", "potential", "profile", "calibrated"},
+              .fallback = "corrected",
+              .meaning =
+                  "liquid in the balloon during deflation: (2.12), (2.15), (2.8) itself, (2.8) for a profile, or (2.8) "
+                  "fitted to finite elements"});
   schema.add({.path = "model.profile",
               .kind = text,
               .meaning = "CSV file of an outflow profile (2.13), beside the case; with closure = \"profile\""});

@@ -36,12 +36,23 @@ ForceTable::ForceTable(OutflowProfile profile)
     : profile_(std::move(profile)), slots_(std::make_shared<std::array<Slot, pieces>>()) {}
 
 ForceTable::ForceTable(Uniform /*unused*/) : ForceTable(OutflowProfile::uniform()) {
-  for (std::size_t i = 0; i < pieces; ++i) {
+  fill([](std::size_t i) -> Piece {
     const UniformForcePiece& shipped = uniform_force_table[i];
+    return {{lower_end(i), upper_end(i), shipped.inertial}, {lower_end(i), upper_end(i), shipped.centripetal}};
+  });
+}
+
+ForceTable::ForceTable(const Factor& inertial, const Factor& centripetal) : ForceTable(OutflowProfile::uniform()) {
+  fill([&](std::size_t i) -> Piece {
+    return {Series::through(inertial, lower_end(i), upper_end(i)),
+            Series::through(centripetal, lower_end(i), upper_end(i))};
+  });
+}
+
+void ForceTable::fill(const std::function<Piece(std::size_t index)>& piece) {
+  for (std::size_t i = 0; i < pieces; ++i) {
     Slot& slot = (*slots_)[i];
-    std::call_once(slot.made, [&] {
-      slot.piece = {{lower_end(i), upper_end(i), shipped.inertial}, {lower_end(i), upper_end(i), shipped.centripetal}};
-    });
+    std::call_once(slot.made, [&] { slot.piece = piece(i); });
   }
 }
 

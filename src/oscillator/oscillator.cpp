@@ -20,6 +20,7 @@ std::string_view name_of(Closure closure) {
     case Closure::corrected: return "corrected";
     case Closure::potential: return "potential";
     case Closure::profile: return "profile";
+    case Closure::calibrated: return "calibrated";
   }
   return "";
 }

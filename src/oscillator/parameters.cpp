@@ -18,7 +18,7 @@ bool has_closure_at(const Parameters<T>& p, const T& stretch) {
 
 template <class T>
 const ForceTable* force_table(const Parameters<T>& p) {
-  const ForceTable* table = force_table(p.closure, p.outflow.get());
+  const ForceTable* table = force_table(p.closure, p.channel_length > 0, p.outflow.get());
   if (table == nullptr) return nullptr;
   if (has_closure_at(p, T(1))) return table;
   const auto times_radius = [&](double share) { return rounded(share * static_cast<double>(p.radius), 6) + " m"; };
@@ -30,7 +30,7 @@ const ForceTable* force_table(const Parameters<T>& p) {
 
 template <class T>
 void require_closure(const Parameters<T>& p, const T& stretch) {
-  if (!is_exact(p.closure) || has_closure_at(p, stretch)) return;
+  if (!has_table(p.closure) || has_closure_at(p, stretch)) return;
   const StretchLimits<T> limits = closure_limits(p);
   const auto number = [](const T& x) { return rounded(static_cast<double>(x), 8); };
   throw InvalidInput("initial.stretch", shortest(static_cast<double>(stretch)),

@@ -78,7 +78,7 @@ std::vector<Closure> compared_closures(const Case& c) {
   for (const Closure closure : all_closures) {
     const bool own = closure == p.closure;
     const bool known = closure != Closure::profile &&
-                       (!is_exact(closure) || (p.orifice_radius / radius.least <= ForceTable::greatest_kappa &&
+                       (!has_table(closure) || (p.orifice_radius / radius.least <= ForceTable::greatest_kappa &&
                                                p.orifice_radius / radius.greatest >= ForceTable::least_kappa));
     if (own || known) compared.push_back(closure);
   }

@@ -4,6 +4,7 @@
 
 #include "parts.hpp"
 #include "turgor/base/text.hpp"
+#include "turgor/closure/calibration.hpp"
 #include "turgor/flow/orifice.hpp"
 #include "turgor/statics/statics.hpp"
 
@@ -115,17 +116,20 @@ class Checks {
 }  // namespace
 
 std::vector<Warning> strained_orifice(const Parameters<double>& p, const StretchRange& range) {
-  if (is_exact(p.closure)) return {};
+  const bool calibrated = p.closure == Closure::calibrated;
+  if (has_table(p.closure) && !calibrated) return {};
+  const double largest_fitted = calibrated ? greatest_calibrated_kappa : largest_kappa;
+  const double smallest_fitted = calibrated ? least_calibrated_kappa : smallest_kappa;
   const double largest = p.orifice_radius / (p.radius * range.least);
   const double smallest = p.orifice_radius / (p.radius * range.greatest);
   std::vector<Warning> warnings;
-  if (largest > largest_kappa * (1 + slack)) {
+  if (largest > largest_fitted * (1 + slack)) {
     warnings.push_back({"orifice-large", "r_ch/r reaches " + rounded(largest) + ": the closure was fitted up to " +
-                                             rounded(largest_kappa)});
+                                             rounded(largest_fitted)});
   }
-  if (smallest < smallest_kappa * (1 - slack)) {
+  if (smallest < smallest_fitted * (1 - slack)) {
     warnings.push_back({"orifice-small", "r_ch/r falls to " + rounded(smallest) + ": the closure was fitted down to " +
-                                             rounded(smallest_kappa)});
+                                             rounded(smallest_fitted)});
   }
   return warnings;
 }

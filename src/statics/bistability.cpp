@@ -64,7 +64,7 @@ namespace {
 
 /// dp0/dV [Pa/m^3].
 double volume_slope(const Parameters<double>& p, double R) {
-  const double area = is_exact(p.closure) ? channel_factors(kappa_at(p, R)).area : 1;
+  const double area = has_table(p.closure) ? channel_factors(kappa_at(p, R)).area : 1;
   return static_pressure(p, R).slope / (4 * std::numbers::pi * power<3>(p.radius) * R * R * area);
 }
 

@@ -9,7 +9,7 @@ namespace turgor {
 
 double working_volume(const Parameters<double>& p, double R) {
   const double cube = 2 * std::numbers::pi / 3 * power<3>(p.radius * R);
-  if (!is_exact(p.closure)) return 2 * cube;
+  if (!has_table(p.closure)) return 2 * cube;
   const double kappa = kappa_at(p, R);
   const double rho = std::sqrt((1 - kappa) * (1 + kappa));
   return cube * (1 + power<3>(rho));

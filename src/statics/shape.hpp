@@ -31,7 +31,7 @@ struct Shape {
   double kappa;  ///< r_ch/r0; 0 for closures whose area is R^2
 
   explicit Shape(const Parameters<double>& p)
-      : material(p.material), kappa(is_exact(p.closure) ? kappa_at(p, 1.0) : 0) {}
+      : material(p.material), kappa(has_table(p.closure) ? kappa_at(p, 1.0) : 0) {}
 
   /// W'(R)/a(R) and its slope, with the area a that the pressure works on.
   [[nodiscard]] StaticPressure operator()(double R) const;

@@ -17,7 +17,7 @@ struct Style {
   const char* dashes;
 };
 constexpr std::array closure_styles{Style{green, "'_. '"}, Style{orange, "'-'"}, Style{vermilion, "(14,8)"},
-                                    Style{purple, "'. '"}};
+                                    Style{purple, "'. '"}, Style{blue, "'-. '"}};
 
 /// value(t, state) along the motion, in the given unit of time; where it jumps it has both values.
 template <class Value>

@@ -40,19 +40,19 @@ TEST(ForceCommand, WritesItsDirectory) {
   EXPECT_NE(result.out.find("peak inflating"), std::string::npos);
   const fs::path directory = folder / "motion-channel-30mm.force";
   EXPECT_EQ(contents(directory / "case.toml"), contents(shipped("motion-channel-30mm")));
-  EXPECT_TRUE(contents(directory / "force.csv")
-                  .starts_with(
-                      "t [s],r [cm],drdt [cm/s],d2rdt2 [cm/s^2],kappa [1],regime,force_theoretical [N],"
-                      "force_corrected [N],force_potential [N],static [N],channel_inertial [N],channel_centripetal [N],"
-                      "balloon_inertial [N],balloon_centripetal [N]\n0,30,0,0,0.1,1,"));
+  EXPECT_TRUE(
+      contents(directory / "force.csv")
+          .starts_with("t [s],r [cm],drdt [cm/s],d2rdt2 [cm/s^2],kappa [1],regime,force_theoretical [N],"
+                       "force_corrected [N],force_potential [N],force_calibrated [N],static [N],channel_inertial [N],"
+                       "channel_centripetal [N],balloon_inertial [N],balloon_centripetal [N]\n0,30,0,0,0.1,1,"));
   const auto rows = rows_of(directory / "force.csv");
   ASSERT_EQ(rows.size(), 2001U);
   double greatest = 0;
   for (const auto& row : rows) {
-    ASSERT_EQ(row.size(), 14U);
+    ASSERT_EQ(row.size(), 15U);
     for (const double value : row) ASSERT_TRUE(std::isfinite(value));
-    EXPECT_NEAR(row[4] * row[1], 3, 1e-14 * 3);                                        // kappa = r_ch/r
-    EXPECT_NEAR(row[7], row[9] + row[10] + row[11] + row[12] + row[13], 1e-11 * 1e5);  // the case's own closure
+    EXPECT_NEAR(row[4] * row[1], 3, 1e-14 * 3);                                         // kappa = r_ch/r
+    EXPECT_NEAR(row[7], row[10] + row[11] + row[12] + row[13] + row[14], 1e-11 * 1e5);  // the case's own closure
     EXPECT_EQ(row[5], row[2] != 0 || row[0] == 0 || row[0] == 2.5 ? (row[0] < 2.5 ? 1 : -1) : 0) << row[0];
     greatest = std::max(greatest, row[7]);
   }

@@ -65,7 +65,7 @@ TEST(Closure, PartsAreTheTermsOfThePaper) {
 // pi r^2 p_a.
 TEST(Closure, ForceAndOscillatorAgree) {
   const auto p = test::paper_balloon<double>(0.02, 0.3);
-  for (const Closure closure : {Closure::theoretical, Closure::corrected, Closure::potential, Closure::profile}) {
+  for (const Closure closure : all_closures) {
     const auto balloon = test::with_closure(p, closure);
     const Oscillator<double> oscillator(Model::full, balloon, constant_pressure(21e3), test::si_scales(balloon));
     for (const Regime regime : {Regime::inflating, Regime::deflating}) {

@@ -63,8 +63,7 @@ PressureProgram<double> random_pressure(int kind, double size, double unit, std:
 Member random_member(std::size_t material, Model model, int pressure, std::mt19937_64& random) {
   Parameters<double> p = paper_balloon<double>(0.3 * between(random, 0.03, 0.1), 0.3 * between(random, 0.3, 2));
   if (model == Model::orifice) p.channel_length = 0;
-  constexpr std::array closures{Closure::theoretical, Closure::corrected, Closure::potential, Closure::profile};
-  p = test::with_closure(p, closures.at(random() % closures.size()));
+  p = test::with_closure(p, all_closures.at(random() % all_closures.size()));
   p.thickness = 0.3 * between(random, 0.003, 0.03);
   p.material = random_material(material, random);
   const double stiffness = p.thickness * strain_energy(p.material, 1.0).second / p.radius;

@@ -23,7 +23,7 @@ SimulationOptions<double> at_tolerance(double tolerance) {
 // free of damping. r_ch/r stays within one binade, where the factors are smooth to the last digit of long double.
 TEST(ExactClosureMotion, IsTheSameSteppedAndByQuadrature) {
   for (const Model model : {Model::full, Model::orifice, Model::long_channel}) {
-    for (const Closure closure : {Closure::potential, Closure::profile}) {
+    for (const Closure closure : {Closure::potential, Closure::profile, Closure::calibrated}) {
       const auto p =
           test::with_closure(paper_balloon<long double>(0.135L, model == Model::orifice ? 0 : 0.4L), closure);
       const auto program = SegmentList<long double>(36e3L).hold(0.7L).step(42e3L).hold(1).step(-5e3L).build();

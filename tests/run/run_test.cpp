@@ -150,6 +150,19 @@ TEST(Warnings, DoNotHoldTheRangeOfTheFitsAgainstTheExactClosure) {
   EXPECT_FALSE(warns(exact("1 mm"), "orifice-small"));
 }
 
+// 3 cm of 30 cm are 1/10, which is within; 4 mm are 1/75.
+TEST(Warnings, TellWhereTheCalibratedClosureIsAGuess) {
+  const auto calibrated = [](const char* orifice) {
+    return run_case(
+        paper_case({"model.closure=calibrated", std::string("inlet.orifice_radius=") + orifice, "solve.t_end=5 s"}));
+  };
+  EXPECT_TRUE(warns(calibrated("6 cm"), "orifice-large"));
+  EXPECT_TRUE(warns(calibrated("4 mm"), "orifice-small"));
+  const RunResult within = calibrated("2 cm");
+  EXPECT_FALSE(warns(within, "orifice-large"));
+  EXPECT_FALSE(warns(within, "orifice-small"));
+}
+
 TEST(ClosureEnd, IsAFailureThatSaysWhy) {
   const RunResult result = run_case(
       paper_case({"model.closure=potential", "inlet.orifice_radius=15 cm", "pressure={ constant = \"-1 MPa\" }"}));

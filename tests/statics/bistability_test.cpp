@@ -32,7 +32,7 @@ double integral(const std::function<double(double)>& f, double from, double to) 
 
 /// dV/dR by the definition, with the cap cut off by an exact closure's orifice.
 double volume_rate(const Parameters<double>& p, double R) {
-  const double kappa = is_exact(p.closure) ? p.orifice_radius / p.radius / R : 0;
+  const double kappa = has_table(p.closure) ? p.orifice_radius / p.radius / R : 0;
   return 2 * std::numbers::pi * std::pow(p.radius, 3) * R * R * (1 + std::sqrt(1 - kappa * kappa));
 }
 

@@ -144,13 +144,15 @@ TEST(Chunk, AnInvalidMemberStopsNoOther) {
 // Members with and without a table share a chunk, and fail by themselves. Axes go by name, the last one fastest.
 TEST(Chunk, SweepsTheClosure) {
   const Case c = with_sweep(
-      R"({ quantities = ["final_stretch"], axes = { "model.closure" = { values = ["corrected", "potential"] }, "inlet.orifice_radius" = { values = ["2 cm", "24 cm"] } } })");
+      R"({ quantities = ["final_stretch"], axes = { "model.closure" = { values = ["corrected", "potential", "calibrated"] }, "inlet.orifice_radius" = { values = ["2 cm", "24 cm"] } } })");
   const ChunkResult chunk = ChunkRunner(c, SweepPlan(*c.sweep)).run(0);
-  ASSERT_EQ(chunk.size(), 4U);
-  for (const std::size_t i : {0U, 1U, 2U}) EXPECT_EQ(chunk.row(i)[0], static_cast<double>(Outcome::reached_end));
-  EXPECT_EQ(chunk.row(3)[0], invalid_member);
-  ASSERT_EQ(chunk.messages.size(), 1U);
-  EXPECT_NE(chunk.messages.front().find("beyond the range of model.closure"), std::string::npos);
+  ASSERT_EQ(chunk.size(), 6U);
+  for (const std::size_t i : {0U, 1U, 2U, 3U}) EXPECT_EQ(chunk.row(i)[0], static_cast<double>(Outcome::reached_end));
+  for (const std::size_t i : {4U, 5U}) EXPECT_EQ(chunk.row(i)[0], invalid_member);
+  ASSERT_EQ(chunk.messages.size(), 2U);
+  for (const auto& message : chunk.messages) {
+    EXPECT_NE(message.find("beyond the range of model.closure"), std::string::npos);
+  }
   const auto alone = [](const char* closure) {
     return *run_case(
                 read_case(shipped("orifice-10mm"), {"inlet.orifice_radius=2 cm", "solve.t_end=3 s", "solve.rtol=1e-11",
@@ -159,6 +161,8 @@ TEST(Chunk, SweepsTheClosure) {
   };
   EXPECT_NEAR(chunk.row(0)[3], alone("corrected"), 1e-5);
   EXPECT_NEAR(chunk.row(1)[3], alone("potential"), 1e-5);
+  EXPECT_NEAR(chunk.row(2)[3], alone("calibrated"), 1e-5);
+  EXPECT_GT(std::abs(alone("calibrated") - alone("potential")), 1e-4);
   EXPECT_GT(std::abs(alone("corrected") - alone("potential")), 1e-4);
 }
 

@@ -19,15 +19,16 @@ enum class Closure {
   corrected,    ///< the paper's numerically observed outflow profile, small orifice: eq. (2.15)
   potential,    ///< uniform outflow, any orifice: eq. (2.8) itself
   profile,      ///< another outflow profile, any orifice: (2.8) with the coefficients of (2.14)
+  calibrated,   ///< (2.8) with coefficients fitted to finite elements: closure/calibration.hpp
 };
 
 /// All of them, in the order in which results list them.
-inline constexpr std::array all_closures{Closure::theoretical, Closure::corrected, Closure::potential,
-                                         Closure::profile};
+inline constexpr std::array all_closures{Closure::theoretical, Closure::corrected, Closure::potential, Closure::profile,
+                                         Closure::calibrated};
 
-/// Whether a closure is the force (2.8) itself, in place of its small-orifice form.
-[[nodiscard]] constexpr bool is_exact(Closure closure) {
-  return closure == Closure::potential || closure == Closure::profile;
+/// Whether a closure has the form of (2.8), coefficients that depend on r_ch/r, in place of the small-orifice form.
+[[nodiscard]] constexpr bool has_table(Closure closure) {
+  return closure == Closure::potential || closure == Closure::profile || closure == Closure::calibrated;
 }
 
 /// The two numbers that a closure contributes to eq. (2.22) during deflation (during inflation the jet leaves the
@@ -43,7 +44,7 @@ struct ClosureConstants {
 template <class T>
 [[nodiscard]] ClosureConstants<T> constants(Closure closure) {
   constexpr T pi = std::numbers::pi_v<T>;
-  if (is_exact(closure)) return {T(2), T(4)};
+  if (has_table(closure)) return {T(2), T(4)};
   if (closure == Closure::theoretical) return {9 * std::numbers::sqrt2_v<T> / (2 * pi), 12 / pi};
   return {T(223) / (32 * pi), T(75) / (4 * pi)};
 }
@@ -85,10 +86,11 @@ struct ExactFactors {
   ForceFactors<V> liquid;  ///< h3 and h5
 };
 
-/// The table of a closure: a null pointer for the fits.
+/// The table of a closure: a null pointer for (2.12) and (2.15).
+/// @param channel  whether there is one, which Closure::calibrated depends on
 /// @param outflow  the table of Closure::profile
 /// @throws InvalidInput for Closure::profile without one
-[[nodiscard]] const ForceTable* force_table(Closure closure, const ForceTable* outflow = nullptr);
+[[nodiscard]] const ForceTable* force_table(Closure closure, bool channel, const ForceTable* outflow = nullptr);
 
 /// The terms of the generalized force [N].
 template <class T>
@@ -133,7 +135,7 @@ template <class T>
 template <class T>
 [[nodiscard]] ForceParts<T> force_parts(Closure closure, Regime regime, const FlowState<T>& s,
                                         const ForceTable* outflow = nullptr) {
-  if (is_exact(closure)) return force_parts(*force_table(closure, outflow), regime, s);
+  if (has_table(closure)) return force_parts(*force_table(closure, s.channel_length > 0, outflow), regime, s);
   constexpr T pi = std::numbers::pi_v<T>;
   const bool deflating = regime == Regime::deflating;
   const ClosureConstants<T> c = constants<T>(closure);

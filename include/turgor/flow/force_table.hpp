@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -20,7 +21,7 @@ struct ForceFactors {
   T centripetal, centripetal_slope;
 };
 
-/// h3 and h5 for one outflow profile: Chebyshev series on binades of kappa.
+/// h3 and h5 for one outflow profile, or given as functions: Chebyshev series on binades of kappa.
 class ForceTable {
  public:
   static constexpr int first_binade = -17;
@@ -43,6 +44,10 @@ class ForceTable {
   /// from several threads.
   explicit ForceTable(OutflowProfile profile);
 
+  using Factor = std::function<double(double kappa)>;
+  /// h3 and h5 that come from elsewhere, within 1e-14 when they are analytic for kappa > 0.
+  ForceTable(const Factor& inertial, const Factor& centripetal);
+
   /// @return not a number outside [least_kappa, greatest_kappa]
   template <class T>
   [[nodiscard]] ForceFactors<T> at(const T& kappa) const;
@@ -54,12 +59,14 @@ class ForceTable {
   /// Both series of one binade, from the flow itself.
   [[nodiscard]] static Piece compute(const OutflowProfile& profile, std::size_t piece, double tolerance);
 
+  /// Uniform for a table of given functions, which has none.
   [[nodiscard]] const OutflowProfile& profile() const { return profile_; }
 
  private:
   struct Uniform {};
   explicit ForceTable(Uniform unused);
 
+  void fill(const std::function<Piece(std::size_t index)>& piece);
   [[nodiscard]] const Piece& piece(std::size_t index) const;
 
   struct Slot {

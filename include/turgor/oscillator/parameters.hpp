@@ -38,7 +38,7 @@ struct StretchLimits {
 };
 template <class T>
 [[nodiscard]] StretchLimits<T> closure_limits(const Parameters<T>& p) {
-  if (!is_exact(p.closure)) return {T(0), std::numeric_limits<T>::infinity()};
+  if (!has_table(p.closure)) return {T(0), std::numeric_limits<T>::infinity()};
   return {kappa_at(p, T(ForceTable::greatest_kappa)), kappa_at(p, T(ForceTable::least_kappa))};
 }
 
