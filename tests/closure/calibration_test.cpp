@@ -49,14 +49,15 @@ double by(Closure closure, const Datum& d) {
 
 double error(Closure closure, const Datum& d) { return std::abs(by(closure, d) / d.value - 1); }
 
-// The band is that of the default mesh and finer ones. With a channel it holds the flow at every instant.
+// The band is that of the default mesh and finer ones. With a channel it holds the flow at every instant;
+// means in time, over eleven of them, lie closer.
 TEST(Calibration, IsWithinItsBandsOfTheFiniteElements) {
   int inertial = 0, jets = 0, channels = 0;
   for (const Datum& d : data()) {
     const CalibrationBand band = calibration_band(d.channel);
     const double allowed = d.inertial ? band.inertial : band.centripetal;
     if (d.inertial && d.refinement < 2) continue;  // the error of the inertia is of first order in the mesh
-    EXPECT_LT(error(Closure::calibrated, d), allowed) << d.kappa;
+    EXPECT_LT(error(Closure::calibrated, d), d.channel ? 0.03 : allowed) << d.kappa;
     for (const double instant : {d.least, d.greatest}) {
       EXPECT_NEAR(by(Closure::calibrated, d) / instant, 1, allowed) << d.kappa;
     }
@@ -64,7 +65,7 @@ TEST(Calibration, IsWithinItsBandsOfTheFiniteElements) {
   }
   EXPECT_GE(inertial, 4);
   EXPECT_GE(jets, 8);
-  EXPECT_GE(channels, 1);
+  EXPECT_GE(channels, 3);
 }
 
 TEST(Calibration, IsBetterThanTheConstantsOfThePaper) {

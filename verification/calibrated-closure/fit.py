@@ -5,9 +5,8 @@ with one it is the mean."""
 import csv
 import math
 import pathlib
+import statistics
 import subprocess
-
-import numpy
 
 folder = pathlib.Path(__file__).parent
 with open(folder / "data.csv") as file:
@@ -15,7 +14,7 @@ with open(folder / "data.csv") as file:
 
 
 def column(rows, name):
-    return numpy.array([float(row[name]) for row in rows])
+    return [float(row[name]) for row in rows]
 
 
 def select(coefficient, channel):
@@ -34,30 +33,29 @@ def finest(rows):
 
 def report(name, rows, fit):
     """Greatest error over some rows, of their means and of each instant, in per cent."""
-    kappa = column(rows, "kappa")
-    error = lambda key: 100 * numpy.max(numpy.abs(fit(kappa) / column(rows, key) - 1))
+    error = lambda key: 100 * max(abs(fit(float(row["kappa"])) / float(row[key]) - 1) for row in rows)
     print(f"{name}: {error('value'):.2f} % of the means, {max(error('least'), error('greatest')):.2f} % of any instant")
 
 
 unit = 32 * math.pi
-inertia = lambda kappa: 4 * math.pi**2 - 4 * math.pi * kappa * numpy.log(2 * kappa)
+inertia = lambda kappa: 4 * math.pi**2 - 4 * math.pi * kappa * math.log(2 * kappa)
 used = finest(select("centripetal", False))
-slope, at_zero = numpy.polyfit(column(used, "kappa"), column(used, "value") / unit, 1)
-at_zero, slope = round(at_zero, 4), round(slope, 4)
+line = statistics.linear_regression(column(used, "kappa"), column(used, "value"))
+at_zero, slope = round(line.intercept / unit, 4), round(line.slope / unit, 4)
 channel = finest(select("centripetal", True))
-mean = round(float(numpy.mean(column(channel, "value"))) / unit, 4)
+mean = round(statistics.mean(column(channel, "value")) / unit, 4)
 print(f"orifice_at_zero = {at_zero}\norifice_slope = {slope}\nchannel_mean = {mean}")
 
 jet = lambda kappa: unit * (at_zero + slope * kappa)
-piped = lambda kappa: unit * mean + 0 * kappa
+piped = lambda kappa: unit * mean
 report("inertial, no channel, finest mesh", finest(select("inertial", False)), inertia)
 report("inertial, no channel, all meshes", select("inertial", False), inertia)
 report("centripetal, no channel, used", used, jet)
 report("centripetal, no channel, all", select("centripetal", False), jet)
 report("centripetal, channel, all", select("centripetal", True), piped)
-report("(2.15) inertial", finest(select("inertial", False)), lambda kappa: 223 / 4 + 0 * kappa)
-report("(2.15) centripetal, no channel", used, lambda kappa: 150 + 0 * kappa)
-report("(2.15) centripetal, channel", select("centripetal", True), lambda kappa: 150 + 0 * kappa)
+report("(2.15) inertial", finest(select("inertial", False)), lambda kappa: 223 / 4)
+report("(2.15) centripetal, no channel", used, lambda kappa: 150)
+report("(2.15) centripetal, channel", select("centripetal", True), lambda kappa: 150)
 
 
 def points(name, rows):
@@ -75,7 +73,7 @@ commands = "".join(
     for i, refinement in enumerate((0.5, 1, 2))
     if (chosen := meshes(of, refinement))
 )
-marks = ((6, "#999999", "half the default mesh"), (4, "#0072B2", "default mesh"), (7, "#009E73", "twice as fine"))
+marks = ((6, "#999999", "half as fine"), (4, "#0072B2", "default mesh"), (7, "#009E73", "twice as fine"))
 
 
 def series(name, of):
@@ -94,12 +92,12 @@ set xrange [0:0.12]; set xlabel 'kappa = r_{{ch}}/r [1]'
 set multiplot layout 1,2
 set title 'inertia'; set yrange [38:60]; set ylabel '-F r_{{ch}}/(rho r^4 d^2r/dt^2) [1]'; set key top right
 plot 55.75 with lines lw 2 dt '-' lc rgb '#E69F00' title '(2.15)', 50.91 with lines lw 2 dt '_. ' lc rgb 'black' title '(2.12)', \\
-  4*pi**2 - 4*pi*x*log(2*x) with lines lw 2 lc rgb '#D55E00' title 'calibrated', {series("I", select("inertial", False))}
-set title 'jet'; set yrange [90:200]; set ylabel 'F r_{{ch}}^4/(rho r^6 (dr/dt)^2) [1]'; set key top right maxrows 5
+  4*pi**2 - 4*pi*x*log(2*x) with lines lw 2 lc rgb '#D55E00' title 'fit', {series("I", select("inertial", False))}
+set title 'jet'; set yrange [90:240]; set ylabel 'F r_{{ch}}^4/(rho r^6 (dr/dt)^2) [1]'; set key top right maxrows 5
 plot 150 with lines lw 2 dt '-' lc rgb '#E69F00' title '(2.15)', 96 with lines lw 2 dt '_. ' lc rgb 'black' title '(2.12)', \\
-  {unit}*({at_zero} + {slope}*x) with lines lw 2 lc rgb '#D55E00' title 'calibrated', \\
-  {unit * mean} with lines lw 2 dt '. ' lc rgb '#CC79A7' title 'calibrated, channel', {series("K", select("centripetal", False))}, \\
-  $C using 1:2:3:4 with yerrorbars pt 5 ps 1.2 lw 2 lc rgb '#CC79A7' title '50 cm channel, mean and range'
+  {unit}*({at_zero} + {slope}*x) with lines lw 2 lc rgb '#D55E00' title 'fit', \\
+  {unit * mean} with lines lw 2 dt '. ' lc rgb '#CC79A7' title 'fit, channel', {series("K", select("centripetal", False))}, \\
+  $C using 1:2:3:4 with yerrorbars pt 5 ps 1.2 lw 2 lc rgb '#CC79A7' title 'channel, mean and range'
 unset multiplot
 """
 subprocess.run(["gnuplot"], input=commands, text=True, check=True)
