@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Draws closures.png: two balloons by all four closures. docs/images/closures.sh, after ./dev build
+# Draws closures.png: two balloons by four closures. docs/images/closures.sh, after ./dev build
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 folder=$(mktemp -d)
