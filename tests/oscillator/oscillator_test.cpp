@@ -162,6 +162,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Variant{Model::long_channel, Regime::inflating}, Variant{Model::long_channel, Regime::deflating},
                     Variant{Model::full, Regime::inflating, Closure::potential},
                     Variant{Model::full, Regime::deflating, Closure::potential},
+                    Variant{Model::full, Regime::deflating, Closure::calibrated},
                     Variant{Model::orifice, Regime::inflating, Closure::potential},
                     Variant{Model::orifice, Regime::deflating, Closure::profile},
                     Variant{Model::long_channel, Regime::inflating, Closure::profile},
