@@ -11,7 +11,8 @@ namespace turgor {
 inline constexpr double least_calibrated_kappa = 1.0 / 60;
 inline constexpr double greatest_calibrated_kappa = 1.0 / 10;
 
-/// Relative error bands of the fits over that range; with a channel the jet at an instant, its mean in time 3 %.
+/// Relative error bands of the fits over that range; with a channel that of the jet at an instant. Its mean in time is
+/// within 3 % from kappa = 1/30 on, 10 % below.
 struct CalibrationBand {
   double inertial;
   double centripetal;
