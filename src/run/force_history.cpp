@@ -79,7 +79,7 @@ std::vector<Closure> compared_closures(const Case& c) {
     const bool own = closure == p.closure;
     const bool known = closure != Closure::profile &&
                        (!has_table(closure) || (p.orifice_radius / radius.least <= ForceTable::greatest_kappa &&
-                                               p.orifice_radius / radius.greatest >= ForceTable::least_kappa));
+                                                p.orifice_radius / radius.greatest >= ForceTable::least_kappa));
     if (own || known) compared.push_back(closure);
   }
   return compared;

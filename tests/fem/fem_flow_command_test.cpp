@@ -28,7 +28,8 @@ struct Finished {
 /// @param before  as for FakeFlow
 Finished fem_flow(std::vector<std::string> words, const std::function<void(long)>& before = {}) {
   const std::string file = std::string(TURGOR_CASES) + "/motion-orifice-30mm.toml";
-  words.insert(words.begin(), {"flow", file, "--no-pictures", "--set", "solve.samples=11", "--set", "fem.time_step=0.1 s"});
+  words.insert(words.begin(),
+               {"flow", file, "--no-pictures", "--set", "solve.samples=11", "--set", "fem.time_step=0.1 s"});
   std::reverse(words.begin(), words.end());  // as CLI11 takes them
   CLI::App app;
   cli::FemFlowArguments arguments;

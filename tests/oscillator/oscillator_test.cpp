@@ -90,9 +90,9 @@ struct Variant {
 
 class EveryOscillator : public testing::TestWithParam<Variant> {
  protected:
-  Parameters<double> p = test::with_closure(
-      paper_balloon<double>(has_table(GetParam().closure) ? 0.15 : 0.02, GetParam().model == Model::orifice ? 0.0 : 0.4),
-      GetParam().closure);
+  Parameters<double> p = test::with_closure(paper_balloon<double>(has_table(GetParam().closure) ? 0.15 : 0.02,
+                                                                  GetParam().model == Model::orifice ? 0.0 : 0.4),
+                                            GetParam().closure);
   Oscillator<double> oscillator{GetParam().model, p, test::up_hold_down(36e3, 2.0, 4.0, 6.0), {p.radius, 6000.0, 0.3}};
 
   template <class Flow>
