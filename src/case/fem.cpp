@@ -26,8 +26,9 @@ void declare_steps(Schema& schema) {
   schema.add({.path = "fem.error_tolerance",
               .kind = number,
               .range = {0, 1, true},
-              .meaning = "with cfl: shorten steps whose local error in the velocity, relative to its norm, is greater; "
-                         "no such control when not given"});
+              .meaning = "with cfl: greatest local error of a step of the velocity, root mean square, over the "
+                         "greatest velocity in the orifice; no such control "
+                         "when not given"});
   schema.add({.path = "fem.tolerance",
               .kind = number,
               .range = {1e-14, 1e-2},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "turgor/base/errors.hpp"
@@ -49,6 +50,10 @@ FlowControls controls_of(const Case& c) {
   FlowControls controls;
   controls.scheme = c.fem.scheme == FemScheme::bdf1 ? TimeScheme::bdf1 : TimeScheme::bdf2;
   controls.update_tolerance = c.fem.tolerance;
+  constexpr double solved = 10;  // over the local error: what Newton's method leaves must not be taken for it
+  if (c.fem.error_tolerance > 0) {
+    controls.update_tolerance = std::min(controls.update_tolerance, solved * c.fem.error_tolerance);
+  }
   controls.max_newton = static_cast<int>(c.fem.max_iterations);
   return controls;
 }
@@ -62,6 +67,7 @@ class DictatedFlow final : public FlowProblem {
         mesh_motion_(case_.parameters.orifice_radius, motion_.at(0).radius),
         space_(mesh_),
         solver_(space_, definition(), controls_of(case_)),
+        error_limit_(error_limit()),
         profile_(space_, case_.parameters.orifice_radius),
         balance_(balance()) {}
 
@@ -83,8 +89,10 @@ class DictatedFlow final : public FlowProblem {
   };
 
   [[nodiscard]] FlowDefinition definition() const;
+  [[nodiscard]] double error_limit() const;
   [[nodiscard]] FlowBalance balance() const;
   [[nodiscard]] double step_limit(double t_stop) const;
+  void refuse_collapsed_steps() const;
   [[nodiscard]] double courant_speed(double t) const;
   [[nodiscard]] double last_step() const;
   [[nodiscard]] double phase_duration() const;
@@ -98,6 +106,7 @@ class DictatedFlow final : public FlowProblem {
   ToroidalMotion mesh_motion_;
   FlowSpace space_;
   mutable FlowSolver solver_;  ///< a checkpoint makes it forget its factors
+  double error_limit_;         ///< of a step [m/s]
   OrificeProfile profile_;
   FlowBalance balance_;  ///< at time()
   long steps_ = 0;
@@ -128,6 +137,20 @@ FlowBalance DictatedFlow::balance() const {
   return flow_balance(solver_, [&](const Point2& X) { return mesh_motion_.rate(X, radius); });
 }
 
+/// fem.error_tolerance times the greatest mean speed in the orifice, at the ends of the motion's phases.
+double DictatedFlow::error_limit() const {
+  if (case_.fem.error_tolerance == 0) return std::numeric_limits<double>::infinity();
+  const double a = case_.parameters.orifice_radius;
+  double fastest = 0;
+  for (const auto& part : motion_.intervals(case_.solve.t_end)) {
+    for (const double t : {part.begin, part.end}) {
+      const auto state = motion_.within(part.phase, t);
+      fastest = std::max(fastest, std::abs(cap_volume_rate(state.radius, a) * state.rate) / (pi * a * a));
+    }
+  }
+  return case_.fem.error_tolerance * fastest;
+}
+
 double DictatedFlow::last_step() const {
   const auto& levels = solver_.levels();
   return levels.back().time - levels[levels.size() - 2].time;
@@ -154,6 +177,7 @@ double DictatedFlow::courant_speed(double t) const {
 
 double DictatedFlow::step_limit(double t_stop) const {
   if (case_.fem.time_step > 0) return case_.fem.time_step;
+  refuse_collapsed_steps();
   const double longest = std::min(phase_duration() / steps_per_phase, t_stop - time());
   const double start = steps_ == 0 ? first_step_part * longest : longest;
   double dt = std::min(start, steps_ == 0 ? start : growth * last_step());
@@ -162,23 +186,40 @@ double DictatedFlow::step_limit(double t_stop) const {
   return dt;
 }
 
+/// @throws ComputationFailed when steps have become so short that the end is out of sight
+void DictatedFlow::refuse_collapsed_steps() const {
+  if (steps_ == 0) return;
+  constexpr double collapsed = 1e-4;
+  const double speed = courant_speed(time());
+  double wanted = phase_duration() / steps_per_phase;
+  if (speed > 0) wanted = std::min(wanted, case_.fem.cfl * case_.parameters.orifice_radius / speed);
+  if (last_step() > collapsed * wanted) return;
+  throw ComputationFailed("steps have shrunk to " + rounded(last_step(), 3) + " s, where fem.cfl allows " +
+                          rounded(wanted, 3) + " s; try a finer mesh, a smaller fem.cfl" +
+                          (case_.fem.error_tolerance > 0 ? ", or a greater fem.error_tolerance" : ""));
+}
+
 SolverRow DictatedFlow::step(double t_stop) {
   double dt = step_limit(t_stop) * reduced_;
-  for (int halvings = 0;; ++halvings) {
+  for (int attempt = 0;; ++attempt) {
     // equal steps to the stop, so that none is a sliver
     const double parts = std::ceil((t_stop - time()) / dt * (1 - 1e-9));
     const double before = time();
     const double t = parts <= 1 ? t_stop : before + (t_stop - before) / parts;
+    std::string problem;
     try {
-      const StepReport report = solver_.step_to(t);
-      return accepted(report, t - before);
+      const StepReport report = solver_.step_to(t, error_limit_);
+      if (report.accepted) return accepted(report, t - before);
+      problem = "the local error of velocity is " + rounded(report.error, 3) + " m/s, above the " +
+                rounded(error_limit_, 3) + " m/s of fem.error_tolerance";
     } catch (const ComputationFailed& failure) {
-      if (halvings == most_halvings || case_.fem.time_step > 0) {
-        throw ComputationFailed(std::string(failure.what()) + ", with a step of " + rounded(t - before, 3) + " s");
-      }
-      dt = (t - before) / 2;
-      reduced_ /= 2;
+      problem = failure.what();
     }
+    if (attempt == most_halvings || case_.fem.time_step > 0) {
+      throw ComputationFailed(problem + ", with a step of " + rounded(t - before, 3) + " s");
+    }
+    dt = (t - before) / 2;
+    reduced_ /= 2;
   }
 }
 
@@ -186,7 +227,8 @@ SolverRow DictatedFlow::step(double t_stop) {
 SolverRow DictatedFlow::accepted(const StepReport& report, double dt) {
   ++steps_;
   const bool slow = report.newton_iterations > many_iterations;
-  const bool coarse = case_.fem.error_tolerance > 0 && report.relative_error > case_.fem.error_tolerance;
+  constexpr double near = 0.5;  // of the tolerance: the next step would miss it
+  const bool coarse = report.error > near * error_limit_;
   reduced_ = std::min(1.0, reduced_ * (slow || coarse ? 1 / growth : growth));
   add_work(dt);
   const auto motion = motion_.at(time());

@@ -303,7 +303,6 @@ double FlowSolver::local_error(const std::vector<double>& unknowns) const {
   const double h1 = before[0]->time - before[1]->time;
   const double h2 = second ? before[1]->time - before[2]->time : 0;
   double sum = 0;
-  double size = 0;
   for (std::size_t i = 0; i < history_.size(); ++i) {
     const double slope = (unknowns[i] - before[0]->unknowns[i]) / h;
     const double slope1 = (before[0]->unknowns[i] - before[1]->unknowns[i]) / h1;
@@ -314,12 +313,11 @@ double FlowSolver::local_error(const std::vector<double>& unknowns) const {
       error = third * h * (h + h1) / settings_.rate_factor;
     }
     sum += error * error;
-    size += unknowns[i] * unknowns[i];
   }
-  return size > 0 ? std::sqrt(sum / size) : 0.0;
+  return std::sqrt(sum / static_cast<double>(space_.node_count()));
 }
 
-StepReport FlowSolver::step_to(double t) {
+StepReport FlowSolver::step_to(double t, double error_limit) {
   StepReport report;
   prepare_step(t);
   std::vector<double> unknowns = frozen_;
@@ -330,7 +328,12 @@ StepReport FlowSolver::step_to(double t) {
     move_mesh(time());
     throw;
   }
-  report.relative_error = local_error(unknowns);
+  report.error = local_error(unknowns);
+  report.accepted = report.error <= error_limit;
+  if (!report.accepted) {
+    move_mesh(time());
+    return report;
+  }
   assemble(unknowns, reactions_, false);
   if (levels_.size() > 2) levels_.erase(levels_.begin());
   levels_.push_back({step_time_, std::move(unknowns)});

@@ -173,6 +173,30 @@ TEST(DictatedFlow, ChannelAddsItsInertia) {
   }
 }
 
+// The first tolerance leaves the steps as long as the motion wants them; the other asks for shorter ones.
+TEST(DictatedFlow, LocalErrorControlsTheSteps) {
+  long last = 0;
+  for (const char* tolerance : {"1e-1", "3e-4"}) {
+    const auto flow = make_dictated_flow(
+        case_of(balloon(deflation, std::string("scheme = \"bdf1\"\ncfl = 10\nerror_tolerance = ") + tolerance + "\n")));
+    long steps = 0;
+    while (flow->time() < 0.15) steps = flow->step(0.15).step;
+    EXPECT_GT(steps, last + 20) << tolerance;
+    last = steps;
+  }
+}
+
+// A local error that no step can have.
+TEST(DictatedFlow, CollapsingStepsAreAnError) {
+  const auto flow = make_dictated_flow(case_of(balloon(deflation, "error_tolerance = 1e-9\n")));
+  try {
+    while (flow->time() < 0.15) (void)flow->step(0.15);
+    FAIL() << "expected ComputationFailed";
+  } catch (const ComputationFailed& failure) {
+    EXPECT_NE(std::string(failure.what()).find("fem.error_tolerance"), std::string::npos) << failure.what();
+  }
+}
+
 TEST(DictatedFlow, NamesWhatCannotBeMeshed) {
   try {
     (void)make_dictated_flow(case_of(balloon(deflation, "", "1000 km")));

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -48,9 +49,10 @@ struct StepReport {
   double residual = 0;        ///< of the last linear system, relative
   double last_update = 0;     ///< Newton's, relative
   double least_jacobian = 0;  ///< determinant at quadrature points [m^2]
-  /// Estimate of the step's own error over the velocities, both as root mean squares over the nodes; 0 before there are
-  /// enough earlier levels.
-  double relative_error = 0;
+  /// Estimate of the step's own error of velocity, root mean square over the nodes [m/s]; 0 before there are enough
+  /// earlier levels.
+  double error = 0;
+  bool accepted = true;
 };
 
 /// Solution at an instant.
@@ -71,9 +73,10 @@ class FlowSolver {
   void forget_factors() { linear_->discard_factors(); }
 
   /// One step to a later time [s], which becomes time() exactly.
+  /// @param error_limit  [m/s]; a step with a greater error is reported as not accepted, and the solver is as before
   /// @throws ComputationFailed when Newton's method or the linear solver fails, or a cell is inverted; the solver is
   ///         as before then, and a smaller step can be tried
-  StepReport step_to(double t);
+  StepReport step_to(double t, double error_limit = std::numeric_limits<double>::infinity());
 
   [[nodiscard]] double time() const { return levels_.back().time; }
   [[nodiscard]] const std::vector<double>& solution() const { return levels_.back().unknowns; }
