@@ -313,6 +313,7 @@ void DictatedFlow::load(const Checkpoint& checkpoint) {
     return found->second;
   };
   std::vector<FlowLevel> levels;
+  levels.reserve(checkpoint.times.size());
   for (std::size_t i = 0; i < checkpoint.times.size(); ++i) {
     levels.push_back(
         {checkpoint.times[i], array("level " + std::to_string(i), static_cast<std::size_t>(space_.size()))});

@@ -48,7 +48,7 @@ void add_wall(const FlowSolver& solver, const std::function<Point2(const Point2&
       Point2 tangent{};
       double radius = 0;
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t node = static_cast<std::size_t>(edge.nodes[k]);
+        const auto node = static_cast<std::size_t>(edge.nodes[k]);
         radius += q.value[k] * x[2 * node];
         for (std::size_t c = 0; c < 2; ++c) tangent[c] += q.derivative[k] * x[2 * node + c];
       }

@@ -10,26 +10,26 @@
 
 namespace turgor {
 
-TURGOR_FOR_PROCESSORS CellPoint cell_point(const ShapeValues& shape, const NodalVector<double>& x) {
+TURGOR_FOR_PROCESSORS CellPoint cell_point(const ShapeValues& shape, const NodalVector<double>& position) {
   CellPoint at{};
-  double map[2][2] = {};  // d(r,z)/d(xi,eta)
-  double curved[2][3] = {};
+  std::array<std::array<double, 2>, 2> map{};  // d(r,z)/d(xi,eta)
+  std::array<std::array<double, 3>, 2> curved{};
   for (std::size_t c = 0; c < 2; ++c) {
     for (std::size_t i = 0; i < velocity_nodes; ++i) {
-      map[c][0] += shape.gradient[0][i] * x[c][i];
-      map[c][1] += shape.gradient[1][i] * x[c][i];
-      curved[c][0] += shape.hessian[0][i] * x[c][i];
-      curved[c][1] += shape.hessian[1][i] * x[c][i];
-      curved[c][2] += shape.hessian[2][i] * x[c][i];
+      map[c][0] += shape.gradient[0][i] * position[c][i];
+      map[c][1] += shape.gradient[1][i] * position[c][i];
+      curved[c][0] += shape.hessian[0][i] * position[c][i];
+      curved[c][1] += shape.hessian[1][i] * position[c][i];
+      curved[c][2] += shape.hessian[2][i] * position[c][i];
     }
   }
-  for (std::size_t i = 0; i < velocity_nodes; ++i) at.radius += shape.value[i] * x[0][i];
+  for (std::size_t i = 0; i < velocity_nodes; ++i) at.radius += shape.value[i] * position[0][i];
   at.jacobian = map[0][0] * map[1][1] - map[0][1] * map[1][0];
   if (!(at.jacobian > 0)) return at;
   at.volume = shape.weight * at.jacobian * at.radius;
   // d xi/dr, d xi/dz; d eta/dr, d eta/dz
-  const double inverse[2][2] = {{map[1][1] / at.jacobian, -map[0][1] / at.jacobian},
-                                {-map[1][0] / at.jacobian, map[0][0] / at.jacobian}};
+  const std::array<std::array<double, 2>, 2> inverse{
+      {{map[1][1] / at.jacobian, -map[0][1] / at.jacobian}, {-map[1][0] / at.jacobian, map[0][0] / at.jacobian}}};
   at.metric = {inverse[0][0] * inverse[0][0] + inverse[1][0] * inverse[1][0],
                inverse[0][0] * inverse[0][1] + inverse[1][0] * inverse[1][1],
                inverse[0][1] * inverse[0][1] + inverse[1][1] * inverse[1][1]};
@@ -37,8 +37,8 @@ TURGOR_FOR_PROCESSORS CellPoint cell_point(const ShapeValues& shape, const Nodal
   const double g0 = inverse[0][0] * inverse[0][0] + inverse[0][1] * inverse[0][1];
   const double g1 = inverse[0][0] * inverse[1][0] + inverse[0][1] * inverse[1][1];
   const double g2 = inverse[1][0] * inverse[1][0] + inverse[1][1] * inverse[1][1];
-  const double bend[2] = {g0 * curved[0][0] + 2 * g1 * curved[0][1] + g2 * curved[0][2],
-                          g0 * curved[1][0] + 2 * g1 * curved[1][1] + g2 * curved[1][2]};
+  const std::array<double, 2> bend{g0 * curved[0][0] + 2 * g1 * curved[0][1] + g2 * curved[0][2],
+                                   g0 * curved[1][0] + 2 * g1 * curved[1][1] + g2 * curved[1][2]};
   for (std::size_t i = 0; i < velocity_nodes; ++i) {
     at.gradient[0][i] = inverse[0][0] * shape.gradient[0][i] + inverse[1][0] * shape.gradient[1][i];
     at.gradient[1][i] = inverse[0][1] * shape.gradient[0][i] + inverse[1][1] * shape.gradient[1][i];

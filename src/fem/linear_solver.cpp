@@ -38,6 +38,11 @@ struct LinearSolver::Petsc {
   KSP ksp = nullptr;
   Vec b = nullptr;
   Vec x = nullptr;
+  Petsc() = default;
+  Petsc(const Petsc&) = delete;
+  Petsc& operator=(const Petsc&) = delete;
+  Petsc(Petsc&&) = delete;
+  Petsc& operator=(Petsc&&) = delete;
   ~Petsc() {
     KSPDestroy(&ksp);
     MatDestroy(&matrix);
@@ -83,7 +88,7 @@ LinearSolver::~LinearSolver() = default;
 void LinearSolver::discard_factors() { factorized_ = false; }
 
 LinearReport LinearSolver::solve(const std::vector<double>& b, std::vector<double>& x, double tolerance) {
-  Petsc& p = *petsc_;
+  const Petsc& p = *petsc_;
   LinearReport report;
   double size = 0;
   for (const double v : b) size += v * v;

@@ -69,7 +69,7 @@ class Picture {
   /// Speeds at the middles of pixels right of the axis, in rows from the bottom.
   [[nodiscard]] std::string raster(const Window& window) const {
     const double pixel = window.half_width / pixels;
-    std::vector<double> colours(static_cast<std::size_t>(2 * pixels * pixels),
+    std::vector<double> colours(2 * static_cast<std::size_t>(pixels) * static_cast<std::size_t>(pixels),
                                 std::numeric_limits<double>::quiet_NaN());
     for (const auto& t : triangles_) paint(t, window, pixel, colours);
     std::string out = "$" + window.name + " << EOD\n";
@@ -99,7 +99,7 @@ class Picture {
         const double c = ((x[1] - x[0]) * (j - y[0]) - (i - x[0]) * (y[1] - y[0])) / area;
         constexpr double edge = -1e-9;  // a pixel on a side belongs to either triangle
         if (b < edge || c < edge || b + c > 1 - edge) continue;
-        colours[static_cast<std::size_t>(j * pixels + i)] =
+        colours[static_cast<std::size_t>(j) * pixels + static_cast<std::size_t>(i)] =
             (1 - b - c) * speed_[t[0]] + b * speed_[t[1]] + c * speed_[t[2]];
       }
     }

@@ -60,8 +60,7 @@ struct Stabilization {
 /// tau = [(2/dt)^2 + 16 a.G.a + (144 nu)^2 G:G / 9]^{-1/2}, G the metric of the inverse map, which counts the distance
 /// between nodes as the length: Shakib, Hughes & Johan, Comput. Methods Appl. Mech. Eng. 89 (1991) 141.
 /// gamma = grad_div rho |a| h with h^2 = the cell's area: Olshanskii, Lube, Heister & Loewe, ibid. 198 (2009) 3975.
-[[nodiscard]] Stabilization stabilization(const CellPoint& point, const CellSettings& settings,
-                                          const std::array<double, 2>& advection);
+[[nodiscard]] Stabilization stabilization(const CellPoint& at, const CellSettings& s, const std::array<double, 2>& a);
 
 namespace detail {
 

@@ -37,6 +37,7 @@ class FlowSpace {
   [[nodiscard]] int node_count() const { return static_cast<int>(nodes_.size()); }
   [[nodiscard]] int pressure_count() const { return pressure_count_; }
   [[nodiscard]] int size() const { return 2 * node_count() + pressure_count_; }
+  // NOLINTNEXTLINE(readability-convert-member-functions-to-static): what numbers the others are members
   [[nodiscard]] int velocity(int node, int component) const { return 2 * node + component; }
   [[nodiscard]] int pressure(int index) const { return 2 * node_count() + index; }
   /// Unknowns of a cell: radial velocities, axial velocities, pressures.

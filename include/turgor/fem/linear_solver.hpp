@@ -32,6 +32,8 @@ class LinearSolver {
   ~LinearSolver();
   LinearSolver(const LinearSolver&) = delete;
   LinearSolver& operator=(const LinearSolver&) = delete;
+  LinearSolver(LinearSolver&&) = delete;
+  LinearSolver& operator=(LinearSolver&&) = delete;
 
   [[nodiscard]] const SparsePattern& pattern() const { return pattern_; }
   /// Entries of the matrix, in the pattern's order.

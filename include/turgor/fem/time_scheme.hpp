@@ -1,13 +1,15 @@
 #pragma once
 // Backward differentiation formulas with variable steps.
 
+#include <array>
+
 namespace turgor {
 
 enum class TimeScheme { bdf1, bdf2 };
 
 /// du/dt at the end of a step = rate[0] u(t) + rate[1] u(t - dt) + rate[2] u(t - dt - previous), all [1/s].
 struct DifferenceFormula {
-  double rate[3];
+  std::array<double, 3> rate;
 };
 /// @param dt        step [s]
 /// @param previous  the step before [s]; of no meaning to bdf1
