@@ -22,6 +22,7 @@ EdgeKey key_of(std::size_t a, std::size_t b) { return {std::min(a, b), std::max(
 /// deal.II's corners 0..3 lie at (0,0), (1,0), (0,1), (1,1); ours go round.
 void make_triangulation(const BalloonMesh& mesh, dealii::Triangulation<2>& triangulation) {
   std::vector<dealii::Point<2>> points;
+  points.reserve(mesh.points.size());
   for (const Point2& x : mesh.points) points.emplace_back(x[0], x[1]);
   std::vector<dealii::CellData<2>> cells;
   for (const auto& corners : mesh.cells) {
