@@ -141,6 +141,30 @@ TEST(Families, ACurveOverAMaterialConstant) {
   EXPECT_EQ(folds, 2);
 }
 
+// AUTO-07p, Debian's 0.9.2, run on P0 = S1 (1/R - R^-7) + R - R^-5 as docs/decisions/0015 says: its folds at S1 = 10
+// with tolerances of 1e-13, and the cusp as the fold of its fold curve. Off by what its printed digits and its own
+// location of folds leave: it differs from the exact minimum by 1e-9 and from the exact cusp by 6e-8 and 8e-5.
+TEST(Families, FoldsAndCuspAreThoseOfAuto) {
+  const auto p = balloon(10);
+  const auto curves = equilibrium_curves([&](double pressure) { return LoadedBalloon{p, pressure}; }, {1, 9});
+  ASSERT_EQ(curves.size(), 1U);
+  std::vector<RestPoint> folds;
+  for (const RestPoint& point : curves[0].points) {
+    if (point.turning) folds.push_back(point);
+  }
+  ASSERT_EQ(folds.size(), 2U);
+  EXPECT_NEAR(folds[0].stretch, 1.4760698475, 2e-9);
+  EXPECT_NEAR(folds[0].pressure, 7.4530877784, 1e-10);
+  EXPECT_NEAR(folds[1].stretch, 3.1426213322, 2e-9);
+  EXPECT_NEAR(folds[1].pressure, 6.3181124891, 1e-10);
+  const auto limits = limit_point_curves([](double ratio) { return balloon(ratio); }, {4, 14});
+  ASSERT_EQ(limits.size(), 1U);
+  const auto cusp = std::ranges::find_if(limits[0].points, &RestPoint::turning);
+  ASSERT_NE(cusp, limits[0].points.end());
+  EXPECT_NEAR(cusp->parameter, 4.66291011, 1e-7);
+  EXPECT_NEAR(cusp->stretch, 1.84065, 1e-4);
+}
+
 // Mooney-Rivlin: dp0/dR = 0 is S1/S2 = (1 + 5 R^-6)/(R^-2 - 7 R^-8), for every R.
 TEST(Families, LimitPointsAgainstTheMaterialTurnAtTheCusp) {
   const auto curves = limit_point_curves([](double ratio) { return balloon(ratio); }, {4, 14});
