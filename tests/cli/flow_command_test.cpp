@@ -16,9 +16,8 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using test::contents;
 using test::Folder;
+using test::shipped;
 using test::turgor;
-
-std::string shipped(const std::string& name) { return (fs::path(TURGOR_CASES) / name).string(); }
 
 const std::string balloon = shipped("orifice-30mm.toml");
 const std::string at = "stretch=1.1,rate=-0.1 1/s,time=2.5 s";

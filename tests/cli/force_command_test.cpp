@@ -15,9 +15,8 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using test::contents;
 using test::Folder;
+using test::shipped;
 using test::turgor;
-
-std::string shipped(const std::string& name) { return (fs::path(TURGOR_CASES) / (name + ".toml")).string(); }
 
 std::vector<std::vector<double>> rows_of(const fs::path& file) {
   std::istringstream stream(contents(file));

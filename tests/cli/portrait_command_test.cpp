@@ -17,9 +17,8 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using test::contents;
 using test::Folder;
+using test::shipped;
 using test::turgor;
-
-std::string shipped(const std::string& name) { return (fs::path(TURGOR_CASES) / name).string(); }
 
 const std::string balloon = shipped("orifice-30mm.toml");
 const std::string bistable = "41.3136008025 kPa";

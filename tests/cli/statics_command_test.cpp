@@ -14,9 +14,8 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using test::contents;
 using test::Folder;
+using test::shipped;
 using test::turgor;
-
-std::string shipped(const std::string& name) { return (fs::path(TURGOR_CASES) / (name + ".toml")).string(); }
 
 /// The shipped case, at rest under another final pressure.
 std::vector<std::string> paper_at(const std::string& pressure) {

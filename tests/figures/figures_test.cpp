@@ -16,9 +16,8 @@ using nlohmann::json;
 using test::contents;
 using test::Csv;
 using test::Folder;
+using test::shipped;
 using test::turgor;
-
-std::string shipped(const std::string& name) { return (fs::path(TURGOR_CASES) / (name + ".toml")).string(); }
 
 /// A folder with one figure's tables.
 class Figures : public testing::Test {

@@ -43,6 +43,13 @@ inline void write(const std::filesystem::path& file, const std::string& text) {
   std::ofstream(file, std::ios::binary) << text;
 }
 
+/// Path of a shipped case, such as "orifice-30mm", or of another shipped file by its whole name.
+[[nodiscard]] inline std::string shipped(const std::string& name) {
+  std::filesystem::path file = std::filesystem::path(TURGOR_CASES) / name;
+  if (!file.has_extension()) file += ".toml";
+  return file.string();
+}
+
 struct Finished {
   int code;
   std::string out;
