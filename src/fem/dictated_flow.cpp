@@ -1,6 +1,7 @@
 #include "turgor/fem/dictated_flow.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -48,7 +49,7 @@ MeshRequest mesh_request(const Case& c) {
 
 FlowControls controls_of(const Case& c) {
   FlowControls controls;
-  controls.scheme = c.fem.scheme == FemScheme::bdf1 ? TimeScheme::bdf1 : TimeScheme::bdf2;
+  controls.scheme = c.fem.scheme;
   controls.update_tolerance = c.fem.tolerance;
   constexpr double solved = 10;  // over the local error: what Newton's method leaves must not be taken for it
   if (c.fem.error_tolerance > 0) {
@@ -78,15 +79,14 @@ class DictatedFlow final : public FlowProblem {
   SolverRow step(double t_stop) override;
   [[nodiscard]] FlowRow row() const override;
   [[nodiscard]] VtuGrid fields() const override { return flow_fields(solver_); }
-  void save(Checkpoint& checkpoint) const override;
+  void save(Checkpoint& checkpoint) override;
   void load(const Checkpoint& checkpoint) override;
   [[nodiscard]] std::vector<OutflowPoint> outflow() const override { return profile_.mean(); }
 
  private:
-  /// Losses and gains [W], and their integrals [J].
-  struct Powers {
-    double viscous, stabilisation, inlet, wall;
-  };
+  /// Losses and gains [W], or their integrals [J], by Power.
+  using Powers = std::array<double, 4>;
+  enum Power : std::size_t { viscous, stabilisation, inlet, wall };
 
   [[nodiscard]] FlowDefinition definition() const;
   [[nodiscard]] double error_limit() const;
@@ -105,8 +105,8 @@ class DictatedFlow final : public FlowProblem {
   BalloonMesh mesh_;
   ToroidalMotion mesh_motion_;
   FlowSpace space_;
-  mutable FlowSolver solver_;  ///< a checkpoint makes it forget its factors
-  double error_limit_;         ///< of a step [m/s]
+  FlowSolver solver_;
+  double error_limit_;  ///< of a step [m/s]
   OrificeProfile profile_;
   FlowBalance balance_;  ///< at time()
   long steps_ = 0;
@@ -248,20 +248,15 @@ SolverRow DictatedFlow::accepted(const StepReport& report, double dt) {
 }
 
 DictatedFlow::Powers DictatedFlow::powers_of(const FlowBalance& b) {
-  return {.viscous = b.viscous_loss,
-          .stabilisation = b.upwind_loss + b.grad_div_loss + b.penalty_loss,
-          .inlet = b.inlet_power + b.inlet_kinetic,
-          .wall = b.wall_power};
+  return {b.viscous_loss, b.upwind_loss + b.grad_div_loss + b.penalty_loss, b.inlet_power + b.inlet_kinetic,
+          b.wall_power};
 }
 
 /// By the trapezoidal rule, as accurate as the steps.
 void DictatedFlow::add_work(double dt) {
   balance_ = balance();
   const Powers now = powers_of(balance_);
-  works_.viscous += dt / 2 * (powers_.viscous + now.viscous);
-  works_.stabilisation += dt / 2 * (powers_.stabilisation + now.stabilisation);
-  works_.inlet += dt / 2 * (powers_.inlet + now.inlet);
-  works_.wall += dt / 2 * (powers_.wall + now.wall);
+  for (std::size_t i = 0; i < now.size(); ++i) works_[i] += dt / 2 * (powers_[i] + now[i]);
   powers_ = now;
 }
 
@@ -280,25 +275,25 @@ FlowRow DictatedFlow::row() const {
           .volume = b.volume - pi * a * a * case_.parameters.channel_length,
           .area = b.area,
           .kinetic = b.kinetic_energy,
-          .viscous_power = powers_.viscous,
-          .viscous_work = works_.viscous,
-          .stabilisation_power = powers_.stabilisation,
-          .stabilisation_work = works_.stabilisation,
-          .inlet_power = powers_.inlet,
-          .inlet_work = works_.inlet,
-          .wall_power = powers_.wall,
-          .wall_work = works_.wall};
+          .viscous_power = powers_[viscous],
+          .viscous_work = works_[viscous],
+          .stabilisation_power = powers_[stabilisation],
+          .stabilisation_work = works_[stabilisation],
+          .inlet_power = powers_[inlet],
+          .inlet_work = works_[inlet],
+          .wall_power = powers_[wall],
+          .wall_work = works_[wall]};
 }
 
-void DictatedFlow::save(Checkpoint& checkpoint) const {
+void DictatedFlow::save(Checkpoint& checkpoint) {
   solver_.forget_factors();  // so that going on and starting again give the same bits
   checkpoint.times.clear();
   for (std::size_t i = 0; i < solver_.levels().size(); ++i) {
     checkpoint.times.push_back(solver_.levels()[i].time);
     checkpoint.arrays["level " + std::to_string(i)] = solver_.levels()[i].unknowns;
   }
-  checkpoint.arrays["powers"] = {powers_.viscous, powers_.stabilisation, powers_.inlet, powers_.wall};
-  checkpoint.arrays["works"] = {works_.viscous, works_.stabilisation, works_.inlet, works_.wall};
+  checkpoint.arrays["powers"] = {powers_.begin(), powers_.end()};
+  checkpoint.arrays["works"] = {works_.begin(), works_.end()};
   checkpoint.arrays["profile"] = profile_.sums();
   checkpoint.arrays["reduced step"] = {reduced_};
 }
@@ -321,10 +316,8 @@ void DictatedFlow::load(const Checkpoint& checkpoint) {
   if (levels.size() < 2) throw ComputationFailed("the checkpoint has too few time levels");
   solver_.start(std::move(levels));
   balance_ = balance();
-  const auto p = array("powers", 4);
-  const auto w = array("works", 4);
-  powers_ = {p[0], p[1], p[2], p[3]};
-  works_ = {w[0], w[1], w[2], w[3]};
+  std::ranges::copy(array("powers", powers_.size()), powers_.begin());
+  std::ranges::copy(array("works", works_.size()), works_.begin());
   profile_.restore(array("profile", profile_.sums().size()));
   reduced_ = array("reduced step", 1)[0];
   steps_ = checkpoint.step;

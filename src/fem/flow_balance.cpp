@@ -20,7 +20,7 @@ void add_cells(const FlowSolver& solver, FlowBalance& sum) {
     for (const ShapeValues& shape : space.element().points()) {
       const CellPoint at = cell_point(shape, state.position);
       const Stabilization stable = stabilization(at, s, frozen_advection(shape, state));
-      const auto v = detail::point_values(shape, at, s, state, unknowns.velocity, unknowns.pressure);
+      const auto v = point_values(shape, at, s, state, unknowns.velocity, unknowns.pressure);
       const double w = turn * at.volume;
       sum.volume += w;
       double stretching = 2 * v.velocity[0] * v.velocity[0] / (at.radius * at.radius);

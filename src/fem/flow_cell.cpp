@@ -76,7 +76,7 @@ Stabilization stabilization(const CellPoint& at, const CellSettings& s, const st
 }
 
 TURGOR_FOR_PROCESSORS void add_tangent(const ShapeValues& shape, const CellPoint& at, const Stabilization& stable,
-                                       const CellSettings& s, const detail::PointValues<double>& v, CellTangent& out) {
+                                       const CellSettings& s, const PointValues<double>& v, CellTangent& out) {
   constexpr std::size_t n = velocity_nodes;
   // copies, so that the compiler knows that the sums below do not change them
   const std::array<double, n> value = shape.value;

@@ -244,7 +244,7 @@ void FlowSolver::prepare_step(double t) {
   const bool two = levels_.size() > 1;
   const FlowLevel& before = two ? levels_[levels_.size() - 2] : last;
   const DifferenceFormula formula =
-      difference_formula(two ? controls_.scheme : TimeScheme::bdf1, dt, last.time - before.time);
+      difference_formula(two ? controls_.scheme : FemScheme::bdf1, dt, last.time - before.time);
   settings_ = {.density = flow_.density,
                .viscosity = flow_.viscosity,
                .rate_factor = formula.rate[0],
@@ -294,7 +294,7 @@ void FlowSolver::solve_step(std::vector<double>& unknowns, StepReport& report) {
 // With the levels before it, the new one gives the third divided difference (bdf1: the second), which multiplies the
 // formula's error constant: du/dt by bdf2 with steps h, h1 is off by h (h + h1) u'''/6, which the step integrates.
 double FlowSolver::local_error(const std::vector<double>& unknowns) const {
-  const bool second = controls_.scheme == TimeScheme::bdf2;
+  const bool second = controls_.scheme == FemScheme::bdf2;
   const std::size_t needed = second ? 3 : 2;
   if (levels_.size() < needed) return 0;
   const FlowLevel* before[3] = {&levels_.back(), &levels_[levels_.size() - 2],

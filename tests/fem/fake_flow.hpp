@@ -63,7 +63,7 @@ class FakeFlow : public FlowProblem {
     return grid;
   }
 
-  void save(Checkpoint& checkpoint) const override {
+  void save(Checkpoint& checkpoint) override {
     checkpoint.times = {time_};
     checkpoint.arrays["state"] = {state_};
   }

@@ -14,7 +14,7 @@
 namespace turgor {
 namespace {
 
-constexpr FlowControls tight(TimeScheme scheme = TimeScheme::bdf2) {
+constexpr FlowControls tight(FemScheme scheme = FemScheme::bdf2) {
   return {.scheme = scheme, .update_tolerance = 1e-9, .linear_tolerance = 1e-8, .max_newton = 20};
 }
 
@@ -63,7 +63,7 @@ TEST(FlowCell, TangentIsTheDerivativeOfTheResidual) {
   }
 }
 
-FlowErrors made_up_errors(const MadeUpFlow& flow, std::size_t n, TimeScheme scheme, double dt, double end) {
+FlowErrors made_up_errors(const MadeUpFlow& flow, std::size_t n, FemScheme scheme, double dt, double end) {
   const BalloonMesh mesh = cylinder(n);
   const FlowSpace space(mesh);
   FlowSolver solver(space, flow.definition(), tight(scheme));
@@ -76,16 +76,16 @@ FlowErrors made_up_errors(const MadeUpFlow& flow, std::size_t n, TimeScheme sche
 // Q2/Q1: third order in velocity, second in pressure; 0.2 for meshes that are not yet fine.
 TEST(FlowSolver, HasItsOrdersInSpaceOnAMovingMeshAtTheAxis) {
   const MadeUpFlow flow{.density = 1.3, .viscosity = 0.1};
-  FlowErrors coarse = made_up_errors(flow, 4, TimeScheme::bdf2, 1e-3, 3e-3);
+  FlowErrors coarse = made_up_errors(flow, 4, FemScheme::bdf2, 1e-3, 3e-3);
   for (const std::size_t n : {8U, 16U}) {
-    const FlowErrors fine = made_up_errors(flow, n, TimeScheme::bdf2, 1e-3, 3e-3);
+    const FlowErrors fine = made_up_errors(flow, n, FemScheme::bdf2, 1e-3, 3e-3);
     EXPECT_GT(std::log2(coarse.velocity / fine.velocity), 2.8) << n;
     EXPECT_GT(std::log2(coarse.pressure / fine.pressure), 1.8) << n;
     coarse = fine;
   }
 }
 
-class TimeOrder : public testing::TestWithParam<std::pair<TimeScheme, double>> {};
+class TimeOrder : public testing::TestWithParam<std::pair<FemScheme, double>> {};
 
 // The mesh of 16 x 16 is good for 8e-6 in velocity, a tenth of the errors seen here.
 TEST_P(TimeOrder, IsThatOfTheFormulaOnAMovingMesh) {
@@ -98,8 +98,8 @@ TEST_P(TimeOrder, IsThatOfTheFormulaOnAMovingMesh) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BackwardDifferences, TimeOrder,
-                         testing::Values(std::pair{TimeScheme::bdf1, 1.0}, std::pair{TimeScheme::bdf2, 2.0}),
-                         [](const auto& given) { return given.param.first == TimeScheme::bdf1 ? "bdf1" : "bdf2"; });
+                         testing::Values(std::pair{FemScheme::bdf1, 1.0}, std::pair{FemScheme::bdf2, 2.0}),
+                         [](const auto& given) { return given.param.first == FemScheme::bdf1 ? "bdf1" : "bdf2"; });
 
 // Geometric conservation: a mesh that moves through a uniform flow does not disturb it, nor does the penalty.
 TEST(FlowSolver, KeepsAUniformFlowOnAMovingMesh) {

@@ -62,8 +62,6 @@ struct Stabilization {
 /// gamma = grad_div rho |a| h with h^2 = the cell's area: Olshanskii, Lube, Heister & Loewe, ibid. 198 (2009) 3975.
 [[nodiscard]] Stabilization stabilization(const CellPoint& at, const CellSettings& s, const std::array<double, 2>& a);
 
-namespace detail {
-
 /// Values and derivatives of the solution at a point.
 template <class T>
 struct PointValues {
@@ -113,8 +111,6 @@ template <class T>
   return v;
 }
 
-}  // namespace detail
-
 /// Advection that sizes the stabilisation: that of the frozen velocity, so that the residual has an exact tangent.
 [[nodiscard]] std::array<double, 2> frozen_advection(const ShapeValues& shape, const CellState& cell);
 
@@ -124,7 +120,7 @@ template <class T>
 /// a = u - mesh velocity, div v = dv_r/dr + v_r/r + dv_z/dz. T is double, or complex to check the tangent.
 template <class T>
 void add_residual(const ShapeValues& shape, const CellPoint& at, const Stabilization& stable, const CellSettings& s,
-                  const detail::PointValues<T>& v, CellResidual<T>& out) {
+                  const PointValues<T>& v, CellResidual<T>& out) {
   for (std::size_t i = 0; i < velocity_nodes; ++i) {
     const T upwind = stable.streamline * (v.advection[0] * at.gradient[0][i] + v.advection[1] * at.gradient[1][i]);
     for (std::size_t c = 0; c < 2; ++c) {
@@ -147,7 +143,7 @@ void add_residual(const ShapeValues& shape, const CellPoint& at, const Stabiliza
 
 /// Adds one point's share of the tangent, with tau and gamma held.
 void add_tangent(const ShapeValues& shape, const CellPoint& at, const Stabilization& stable, const CellSettings& s,
-                 const detail::PointValues<double>& v, CellTangent& out);
+                 const PointValues<double>& v, CellTangent& out);
 
 /// Residual of a cell, and its tangent when asked for.
 /// @return the least Jacobian determinant at the quadrature points; when it is not positive nothing else was computed
@@ -162,7 +158,7 @@ double integrate_cell(const TaylorHood& element, const CellSettings& s, const Ce
     least = std::min(least, at.jacobian);
     if (!(at.jacobian > 0)) return at.jacobian;
     const Stabilization stable = stabilization(at, s, frozen_advection(shape, cell));
-    const auto v = detail::point_values(shape, at, s, cell, u, p);
+    const auto v = point_values(shape, at, s, cell, u, p);
     add_residual(shape, at, stable, s, v, residual);
     if constexpr (std::is_same_v<T, double>) {
       if (tangent != nullptr) add_tangent(shape, at, stable, s, v, *tangent);

@@ -81,7 +81,7 @@ class FlowProblem {
   /// Nodes, cells and point data at time(), as in DIR/fields.
   [[nodiscard]] virtual VtuGrid fields() const = 0;
   /// Puts what the state consists of into `times` and `arrays`, so that load() goes on to the same bits.
-  virtual void save(Checkpoint& checkpoint) const = 0;
+  virtual void save(Checkpoint& checkpoint) = 0;
   /// @throws ComputationFailed when arrays are missing or of another size
   virtual void load(const Checkpoint& checkpoint) = 0;
   /// Profile over the orifice, averaged over the time in which the balloon deflated at a constant rate; empty when it

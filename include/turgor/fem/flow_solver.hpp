@@ -34,7 +34,7 @@ struct FlowDefinition {
 };
 
 struct FlowControls {
-  TimeScheme scheme = TimeScheme::bdf2;
+  FemScheme scheme = FemScheme::bdf2;
   double update_tolerance =
       1e-5;  ///< of Newton's method: last change of velocity, relative, as root mean squares over the nodes
   double linear_tolerance = 1e-3;  ///< of a linear system's residual; what Newton gains by an iteration at most
