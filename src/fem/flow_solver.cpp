@@ -53,7 +53,7 @@ FlowSolver::FlowSolver(const FlowSpace& space, FlowDefinition flow, FlowControls
       controls_(controls),
       fixed_(fixed_unknowns(space, flow_)),
       inlet_(space, free_axial(space, fixed_)) {
-  prepare_pattern();
+  prepare_matrix();
   std::vector<double> rest(index(space.size()), 0.0);
   if (flow_.inlet_pressure) std::fill(rest.begin() + space.pressure(0), rest.end(), flow_.inlet_pressure(0));
   start({{-1.0, rest}, {0.0, rest}});
@@ -76,7 +76,7 @@ void FlowSolver::start(std::vector<FlowLevel> levels) {
   linear_->discard_factors();
 }
 
-void FlowSolver::prepare_pattern() {
+SparsePattern FlowSolver::coupled_unknowns() const {
   const std::size_t n = index(space_.size());
   std::vector<std::set<int>> rows(n);
   const auto couple = [&](int i, int j) {
@@ -100,6 +100,11 @@ void FlowSolver::prepare_pattern() {
     pattern.columns.insert(pattern.columns.end(), row.begin(), row.end());
     pattern.row_start.push_back(static_cast<int>(pattern.columns.size()));
   }
+  return pattern;
+}
+
+void FlowSolver::prepare_matrix() {
+  SparsePattern pattern = coupled_unknowns();
   const auto place = [&](int i, int j) { return fixed_[index(i)] || fixed_[index(j)] ? -1 : pattern.find(i, j); };
   for (const auto& cell : space_.cells()) {
     const auto unknowns = space_.unknowns(cell);
@@ -297,8 +302,8 @@ double FlowSolver::local_error(const std::vector<double>& unknowns) const {
   const bool second = controls_.scheme == FemScheme::bdf2;
   const std::size_t needed = second ? 3 : 2;
   if (levels_.size() < needed) return 0;
-  const FlowLevel* before[3] = {&levels_.back(), &levels_[levels_.size() - 2],
-                                second ? &levels_[levels_.size() - 3] : nullptr};
+  const std::array<const FlowLevel*, 3> before{&levels_.back(), &levels_[levels_.size() - 2],
+                                               second ? &levels_[levels_.size() - 3] : nullptr};
   const double h = step_time_ - before[0]->time;
   const double h1 = before[0]->time - before[1]->time;
   const double h2 = second ? before[1]->time - before[2]->time : 0;

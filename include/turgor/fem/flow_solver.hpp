@@ -106,7 +106,8 @@ class FlowSolver {
   void assemble_inlet(const std::vector<double>& unknowns, std::vector<double>& residual, bool tangent);
   void prepare_step(double t);
   void solve_step(std::vector<double>& unknowns, StepReport& report);
-  void prepare_pattern();
+  [[nodiscard]] SparsePattern coupled_unknowns() const;
+  void prepare_matrix();
 
   const FlowSpace& space_;
   FlowDefinition flow_;
