@@ -33,8 +33,8 @@ void declare_steps(Schema& schema) {
               .kind = number,
               .range = {1e-14, 1e-2},
               .fallback = "1e-3",
-              .meaning = "nonlinear solve of a step: its last change of the velocity, relative; the "
-                         "error left is about its square"});
+              .meaning = "nonlinear solve of a step: error of the velocity that it leaves by the rate of "
+                         "its changes, relative"});
   schema.add({.path = "fem.max_iterations",
               .kind = integer,
               .range = {1, 1000},

@@ -265,35 +265,46 @@ void FlowSolver::prepare_step(double t) {
   impose_velocities(step_time_, frozen_);
 }
 
+// Convergence is judged as stiff integrators do (Hairer & Wanner, Solving ODEs II, IV.8): changes that shrink by a rate
+// leave an error of rate/(1 - rate) times the last one, and those that hardly shrink will not arrive.
 void FlowSolver::solve_step(std::vector<double>& unknowns, StepReport& report) {
+  constexpr double hopeless = 0.8;
   std::vector<double> residual;
   std::vector<double> update;
-  const auto velocities = index(2 * space_.node_count());
-  while (true) {
-    if (report.newton_iterations == controls_.max_newton) {
-      throw ComputationFailed("Newton's method did not converge: its last change was " +
-                              std::to_string(report.last_update) + " of the velocity");
-    }
-    report.least_jacobian = assemble(unknowns, residual, true);
-    if (!(report.least_jacobian > 0)) throw ComputationFailed("a cell of the mesh is inverted");
-    for (std::size_t i = 0; i < residual.size(); ++i) residual[i] = fixed_[i] ? 0.0 : -residual[i];
-    const LinearReport linear = linear_->solve(residual, update, controls_.linear_tolerance);
-    report.linear_iterations += linear.iterations;
-    report.factorizations += linear.factorizations;
-    report.residual = linear.residual;
-    double change = 0;
-    double size = 1e-300;
-    for (std::size_t i = 0; i < unknowns.size(); ++i) {
-      unknowns[i] += update[i];
-      if (i >= velocities) continue;
-      change += update[i] * update[i];
-      size += unknowns[i] * unknowns[i];
-    }
-    if (!std::isfinite(change)) throw ComputationFailed("velocities are not finite");
-    report.newton_iterations += 1;
-    report.last_update = std::sqrt(change / size);
-    if (report.last_update <= controls_.update_tolerance) return;
+  while (report.newton_iterations < controls_.max_newton) {
+    const double before = report.last_update;
+    iterate(unknowns, residual, update, report);
+    const double rate = report.newton_iterations > 1 ? report.last_update / before : 0.5;
+    const double left = rate < 0.5 ? rate / (1 - rate) : 1;
+    if (left * report.last_update <= controls_.update_tolerance) return;
+    if (rate > hopeless) break;
   }
+  throw ComputationFailed("Newton's method did not converge: change " + std::to_string(report.newton_iterations) +
+                          " of the velocity was still " + std::to_string(report.last_update) + " of it");
+}
+
+/// One change of the unknowns by Newton's method.
+void FlowSolver::iterate(std::vector<double>& unknowns, std::vector<double>& residual, std::vector<double>& update,
+                         StepReport& report) {
+  report.least_jacobian = assemble(unknowns, residual, true);
+  if (!(report.least_jacobian > 0)) throw ComputationFailed("a cell of the mesh is inverted");
+  for (std::size_t i = 0; i < residual.size(); ++i) residual[i] = fixed_[i] ? 0.0 : -residual[i];
+  const LinearReport linear = linear_->solve(residual, update, controls_.linear_tolerance);
+  report.linear_iterations += linear.iterations;
+  report.factorizations += linear.factorizations;
+  report.residual = linear.residual;
+  const auto velocities = index(2 * space_.node_count());
+  double change = 0;
+  double size = 1e-300;
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    unknowns[i] += update[i];
+    if (i >= velocities) continue;
+    change += update[i] * update[i];
+    size += unknowns[i] * unknowns[i];
+  }
+  if (!std::isfinite(change)) throw ComputationFailed("velocities are not finite");
+  report.newton_iterations += 1;
+  report.last_update = std::sqrt(change / size);
 }
 
 // With the levels before it, the new one gives the third divided difference (bdf1: the second), which multiplies the

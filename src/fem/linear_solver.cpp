@@ -23,7 +23,7 @@ constexpr int mumps_workspace = 14;
 constexpr int workspace_percent = 80;
 constexpr int most_iterations = 60;
 /// What a factorisation costs, in iterations, of matrices between 1e4 and 1e5 rows.
-constexpr double factorization_cost = 20;
+constexpr double factorization_cost = 10;
 
 }  // namespace
 

@@ -54,7 +54,7 @@ struct FemSettings {
   double cfl;              ///< step times velocity in the orifice over its radius; 0: the step is fixed
   double time_step;        ///< [s]; 0: by cfl
   double error_tolerance;  ///< largest local error of a step, relative; 0: no such control
-  double tolerance;        ///< of the nonlinear solve: its last change, relative
+  double tolerance;        ///< of the nonlinear solve: error that it leaves, relative
   long max_iterations;     ///< of the nonlinear solve
   long max_steps;
   double h_rim, h_orifice, h_wall;  ///< cell sizes [m]

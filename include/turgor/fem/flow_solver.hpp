@@ -35,9 +35,10 @@ struct FlowDefinition {
 
 struct FlowControls {
   FemScheme scheme = FemScheme::bdf2;
-  double update_tolerance =
-      1e-5;  ///< of Newton's method: last change of velocity, relative, as root mean squares over the nodes
-  double linear_tolerance = 1e-3;  ///< of a linear system's residual; what Newton gains by an iteration at most
+  /// Of Newton's method: error of velocity that it leaves by the rate of its changes, relative, as root mean squares
+  /// over the nodes.
+  double update_tolerance = 1e-5;
+  double linear_tolerance = 1e-2;  ///< of a linear system's residual; what Newton gains by an iteration at most
   int max_newton = 12;
 };
 
@@ -106,6 +107,8 @@ class FlowSolver {
   void assemble_inlet(const std::vector<double>& unknowns, std::vector<double>& residual, bool tangent);
   void prepare_step(double t);
   void solve_step(std::vector<double>& unknowns, StepReport& report);
+  void iterate(std::vector<double>& unknowns, std::vector<double>& residual, std::vector<double>& update,
+               StepReport& report);
   [[nodiscard]] SparsePattern coupled_unknowns() const;
   void prepare_matrix();
 
