@@ -82,6 +82,7 @@ class DictatedFlow final : public FlowProblem {
   void save(Checkpoint& checkpoint) override;
   void load(const Checkpoint& checkpoint) override;
   [[nodiscard]] std::vector<OutflowPoint> outflow() const override { return profile_.mean(); }
+  [[nodiscard]] std::vector<Warning> warnings() const override;
 
  private:
   /// Losses and gains [W], or their integrals [J], by Power.
@@ -283,6 +284,12 @@ FlowRow DictatedFlow::row() const {
           .inlet_work = works_[inlet],
           .wall_power = powers_[wall],
           .wall_work = works_[wall]};
+}
+
+std::vector<Warning> DictatedFlow::warnings() const {
+  const long failures = solver_.linear_solver().failures();
+  if (failures == 0) return {};
+  return {{"factorisation", "MUMPS failed to factorise " + std::to_string(failures) + " times; UMFPACK took over"}};
 }
 
 void DictatedFlow::save(Checkpoint& checkpoint) {

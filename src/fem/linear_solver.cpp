@@ -60,10 +60,10 @@ LinearSolver::LinearSolver(SparsePattern pattern)
         "make a matrix");
   check(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, n, nullptr, &p.b), "make a vector");
   check(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, n, nullptr, &p.x), "make a vector");
-  prepare();
+  prepare(Package::mumps);
 }
 
-void LinearSolver::prepare() {
+void LinearSolver::prepare(Package package) {
   Petsc& p = *petsc_;
   KSPDestroy(&p.ksp);
   check(KSPCreate(PETSC_COMM_SELF, &p.ksp), "make a solver");
@@ -74,8 +74,11 @@ void LinearSolver::prepare() {
   PC pc = nullptr;
   check(KSPGetPC(p.ksp, &pc), "find the preconditioner");
   check(PCSetType(pc, PCLU), "choose factorisation");
-  check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS), "choose MUMPS");
+  const bool mumps = package == Package::mumps;
+  check(PCFactorSetMatSolverType(pc, mumps ? MATSOLVERMUMPS : MATSOLVERUMFPACK), "choose who factorises");
   check(KSPSetOperators(p.ksp, p.matrix, p.matrix), "set the matrix");
+  factorized_ = false;
+  if (!mumps) return;
   check(PCFactorSetUpMatSolverType(pc), "prepare MUMPS");
   Mat factors = nullptr;
   check(PCFactorGetMatrix(pc, &factors), "find the factors");
@@ -88,7 +91,6 @@ LinearSolver::~LinearSolver() = default;
 void LinearSolver::discard_factors() { factorized_ = false; }
 
 LinearReport LinearSolver::solve(const std::vector<double>& b, std::vector<double>& x, double tolerance) {
-  const Petsc& p = *petsc_;
   LinearReport report;
   double size = 0;
   for (const double v : b) size += v * v;
@@ -96,44 +98,60 @@ LinearReport LinearSolver::solve(const std::vector<double>& b, std::vector<doubl
   if (!std::isfinite(size)) throw ComputationFailed("the right-hand side of a linear system is not finite");
   x.assign(b.size(), 0.0);
   if (size == 0) return report;
+  const Petsc& p = *petsc_;
   check(MatAssemblyBegin(p.matrix, MAT_FINAL_ASSEMBLY), "take the matrix");
   check(MatAssemblyEnd(p.matrix, MAT_FINAL_ASSEMBLY), "take the matrix");
-  check(KSPSetTolerances(p.ksp, tolerance, 0.0, 1e5, most_iterations), "set the tolerance");
-  for (int attempt = 0; attempt < 2; ++attempt) {
-    const bool fresh = !factorized_;
-    check(KSPSetReusePreconditioner(p.ksp, fresh ? PETSC_FALSE : PETSC_TRUE), "keep the factors");
-    report.factorizations += fresh ? 1 : 0;
-    check(VecPlaceArray(p.b, b.data()), "place a vector");
-    check(VecPlaceArray(p.x, x.data()), "place a vector");
-    const PetscErrorCode code = KSPSolve(p.ksp, p.b, p.x);
-    check(VecResetArray(p.b), "take back a vector");
-    check(VecResetArray(p.x), "take back a vector");
-    KSPConvergedReason reason{};
-    PetscInt iterations = 0;
-    PetscReal residual = 0;
-    check(KSPGetConvergedReason(p.ksp, &reason), "say how it went");
-    check(KSPGetIterationNumber(p.ksp, &iterations), "count iterations");
-    check(KSPGetResidualNorm(p.ksp, &residual), "say the residual");
-    report.iterations += iterations;
-    report.residual = residual / size;
-    factorized_ = code == 0 && reason > 0;
-    if (factorized_) {
-      if (fresh) {
-        cost_ = factorization_cost;
-        solutions_ = 0;
-      }
-      cost_ += iterations;
-      solutions_ += 1;
-      // the mean cost of a solution is least where the next one costs as much
-      if (iterations > cost_ / solutions_) factorized_ = false;
-      return report;
-    }
-    if (fresh) break;
-  }
-  prepare();  // PETSc remembers factors that failed
+  tolerance_ = tolerance;
+  if (factorized_ && try_to_solve(b, x, report)) return report;
+  if (try_to_solve(b, x, report)) return report;
+  ++failures_;
+  prepare(Package::umfpack);
+  const bool solved = try_to_solve(b, x, report);
+  if (!solved) prepare(Package::mumps);  // PETSc remembers factors that failed
+  if (solved) return report;
   throw ComputationFailed(
-      "a linear system could not be solved: GMRES with a new factorisation left a relative residual of " +
+      "a linear system could not be solved: GMRES with new factorisations by MUMPS and by UMFPACK left a relative "
+      "residual of " +
       std::to_string(report.residual));
+}
+
+/// With the factors that there are, or with new ones; without success the next attempt makes new ones.
+bool LinearSolver::try_to_solve(const std::vector<double>& b, std::vector<double>& x, LinearReport& report) {
+  const Petsc& p = *petsc_;
+  const bool fresh = !factorized_;
+  check(KSPSetTolerances(p.ksp, tolerance_, 0.0, 1e5, most_iterations), "set the tolerance");
+  check(KSPSetReusePreconditioner(p.ksp, fresh ? PETSC_FALSE : PETSC_TRUE), "keep the factors");
+  report.factorizations += fresh ? 1 : 0;
+  std::ranges::fill(x, 0.0);
+  check(VecPlaceArray(p.b, b.data()), "place a vector");
+  check(VecPlaceArray(p.x, x.data()), "place a vector");
+  const PetscErrorCode code = KSPSolve(p.ksp, p.b, p.x);
+  check(VecResetArray(p.b), "take back a vector");
+  check(VecResetArray(p.x), "take back a vector");
+  KSPConvergedReason reason{};
+  PetscInt iterations = 0;
+  PetscReal residual = 0;
+  check(KSPGetConvergedReason(p.ksp, &reason), "say how it went");
+  check(KSPGetIterationNumber(p.ksp, &iterations), "count iterations");
+  check(KSPGetResidualNorm(p.ksp, &residual), "say the residual");
+  report.iterations += iterations;
+  double size = 0;
+  for (const double v : b) size += v * v;
+  report.residual = residual / std::sqrt(size);
+  factorized_ = code == 0 && reason > 0;
+  if (factorized_) book(iterations, fresh);
+  return code == 0 && reason > 0;
+}
+
+/// The mean cost of a solution is least where the next one costs as much: then the factors have served.
+void LinearSolver::book(int iterations, bool fresh) {
+  if (fresh) {
+    cost_ = factorization_cost;
+    solutions_ = 0;
+  }
+  cost_ += iterations;
+  solutions_ += 1;
+  if (iterations > cost_ / solutions_) factorized_ = false;
 }
 
 }  // namespace turgor

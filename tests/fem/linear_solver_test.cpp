@@ -3,6 +3,7 @@
 #include "turgor/fem/linear_solver.hpp"
 
 #include <gtest/gtest.h>
+#include <petscsys.h>
 
 #include <cmath>
 
@@ -94,6 +95,40 @@ TEST(LinearSolver, SaysWhenThereIsNoSolution) {
   fill(solver, 0);
   EXPECT_LT(solver.solve(right_hand_side(), x, 1e-10).residual, 1e-10);  // and goes on
   EXPECT_THROW((void)solver.solve(std::vector<double>(size, std::nan("")), x, 1e-10), ComputationFailed);
+}
+
+/// The five-point Laplacian of a square with `side` points each way.
+LinearSolver laplacian(int side) {
+  SparsePattern p;
+  p.row_start.push_back(0);
+  for (int i = 0; i < side * side; ++i) {
+    for (const int j : {i - side, i % side > 0 ? i - 1 : -1, i, i % side + 1 < side ? i + 1 : -1, i + side}) {
+      if (j >= 0 && j < side * side) p.columns.push_back(j);
+    }
+    p.row_start.push_back(static_cast<int>(p.columns.size()));
+  }
+  return LinearSolver(std::move(p));
+}
+
+TEST(LinearSolver, AnotherPackageFactorizesWhereMumpsCannot) {
+  // one megabyte for the factors of 40000 rows, which take about ten
+  ASSERT_EQ(PetscOptionsSetValue(nullptr, "-mat_mumps_icntl_23", "1"), 0);
+  constexpr int side = 200;
+  LinearSolver solver = laplacian(side);
+  const auto& pattern = solver.pattern();
+  for (std::size_t i = 0; i < side * side; ++i) {
+    for (int k = pattern.row_start[i]; k < pattern.row_start[i + 1]; ++k) {
+      const auto at = static_cast<std::size_t>(k);
+      solver.values()[at] = static_cast<std::size_t>(pattern.columns[at]) == i ? 4 : -1;
+    }
+  }
+  const std::vector<double> b(side * side, 1.0);
+  std::vector<double> x;
+  (void)solver.solve(b, x, 1e-10);
+  ASSERT_EQ(PetscOptionsClearValue(nullptr, "-mat_mumps_icntl_23"), 0);
+  EXPECT_EQ(solver.failures(), 1);
+  EXPECT_LT(residual(solver, b, x), 2e-10);
+  EXPECT_EQ(solver.solve(b, x, 1e-10).factorizations, 0);  // whose factors are kept as well
 }
 
 TEST(LinearSolver, NothingComesOutOfNothing) {

@@ -79,6 +79,7 @@ class FlowSolver {
   ///         as before then, and a smaller step can be tried
   StepReport step_to(double t, double error_limit = std::numeric_limits<double>::infinity());
 
+  [[nodiscard]] const LinearSolver& linear_solver() const { return *linear_; }
   [[nodiscard]] double time() const { return levels_.back().time; }
   [[nodiscard]] const std::vector<double>& solution() const { return levels_.back().unknowns; }
   [[nodiscard]] const std::vector<FlowLevel>& levels() const { return levels_; }

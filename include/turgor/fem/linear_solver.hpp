@@ -23,9 +23,9 @@ struct LinearReport {
   double residual = 0;  ///< |b - A x| / |b|, of the true residual
 };
 
-/// A sparse matrix with a pattern that stays, and the solution of systems with it. MUMPS factorises; the factors are
-/// kept while the matrix changes, as long as the iterations of GMRES cost less than new ones. Lives within a
-/// FemSession.
+/// A sparse matrix with a pattern that stays, and the solution of systems with it. MUMPS factorises, UMFPACK where
+/// MUMPS fails; the factors are kept while the matrix changes, as long as the iterations of GMRES cost less than new
+/// ones. Lives within a FemSession.
 class LinearSolver {
  public:
   explicit LinearSolver(SparsePattern pattern);
@@ -43,19 +43,27 @@ class LinearSolver {
   /// @throws ComputationFailed when that is not reached with a new factorisation either
   LinearReport solve(const std::vector<double>& b, std::vector<double>& x, double tolerance);
 
+  /// Factorisations by MUMPS that served nothing, so far.
+  [[nodiscard]] long failures() const { return failures_; }
+
   /// The factors are good for few more systems: the next solution begins with new ones.
   void discard_factors();
 
  private:
   struct Petsc;
-  void prepare();
+  enum class Package { mumps, umfpack };
+  void prepare(Package package);
+  [[nodiscard]] bool try_to_solve(const std::vector<double>& b, std::vector<double>& x, LinearReport& report);
+  void book(int iterations, bool fresh);
 
   SparsePattern pattern_;
   std::vector<double> values_;
   std::unique_ptr<Petsc> petsc_;
   bool factorized_ = false;
-  double cost_ = 0;  ///< of the factors and what was solved with them, in iterations
+  double tolerance_ = 0;  ///< of the present solution
+  double cost_ = 0;       ///< of the factors and what was solved with them, in iterations
   int solutions_ = 0;
+  long failures_ = 0;
 };
 
 }  // namespace turgor
