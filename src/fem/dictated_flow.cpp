@@ -230,7 +230,7 @@ SolverRow DictatedFlow::accepted(const StepReport& report, double dt) {
   const bool slow = report.newton_iterations > many_iterations;
   constexpr double near = 0.5;  // of the tolerance: the next step would miss it
   const bool coarse = report.error > near * error_limit_;
-  reduced_ = std::min(1.0, reduced_ * (slow || coarse ? 1 / growth : growth));
+  if (case_.fem.time_step == 0) reduced_ = std::min(1.0, reduced_ * (slow || coarse ? 1 / growth : growth));
   add_work(dt);
   const auto motion = motion_.at(time());
   if (motion.rate < 0 && motion.acceleration == 0) profile_.add(solver_.solution(), dt);

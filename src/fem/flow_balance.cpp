@@ -23,6 +23,8 @@ void add_cells(const FlowSolver& solver, FlowBalance& sum) {
       const auto v = point_values(shape, at, s, state, unknowns.velocity, unknowns.pressure);
       const double w = turn * at.volume;
       sum.volume += w;
+      const double speed_squared = v.velocity[0] * v.velocity[0] + v.velocity[1] * v.velocity[1];
+      sum.power_of_inertia += w * s.density / 2 * v.divergence * speed_squared;
       double stretching = 2 * v.velocity[0] * v.velocity[0] / (at.radius * at.radius);
       for (std::size_t c = 0; c < 2; ++c) {
         const double along = v.advection[0] * v.gradient[c][0] + v.advection[1] * v.gradient[c][1];

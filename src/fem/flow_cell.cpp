@@ -104,15 +104,18 @@ TURGOR_FOR_PROCESSORS void add_tangent(const ShapeValues& shape, const CellPoint
     const double gr = to_r[i];
     const double gz = to_z[i];
     const double ring = mu * (2 * hoop[i] + upwind[i] / at.radius);
-    const double div_r = gamma * radial[i];
-    const double div_z = gamma * gz;
+    const double half = rho / 2 * value[i];
+    const double div_r = gamma * radial[i] + half * v.velocity[0];
+    const double div_z = gamma * gz + half * v.velocity[1];
+    const double opened = half * v.divergence;
     // du/dx_d tested, and the change of the upwinded test function
     const double rr = rho * test * v.gradient[0][0] + tau * gr * v.strong[0];
     const double rz = rho * test * v.gradient[0][1] + tau * gz * v.strong[0];
     const double zr = rho * test * v.gradient[1][0] + tau * gr * v.strong[1];
     const double zz = rho * test * v.gradient[1][1] + tau * gz * v.strong[1];
     for (std::size_t j = 0; j < n; ++j) {
-      const double both = carried[j] * test + mu * (gr * to_r[j] + gz * to_z[j]) - upwind[i] * spread[j];
+      const double both =
+          carried[j] * test + opened * value[j] + mu * (gr * to_r[j] + gz * to_z[j]) - upwind[i] * spread[j];
       out[i][j] += both + rr * value[j] + mu * gr * to_r[j] + div_r * radial[j] + ring * hoop[j];
       out[i][n + j] += rz * value[j] + mu * gz * to_r[j] + div_r * to_z[j];
       out[n + i][j] += zr * value[j] + mu * gr * to_z[j] + div_z * radial[j];

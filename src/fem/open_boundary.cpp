@@ -82,7 +82,9 @@ double OpenBoundary::inflow(const std::vector<double>& solution) const {
 }
 
 double OpenBoundary::entering_speed(const std::vector<double>& velocity) const {
-  return std::max(inflow(velocity) / area_, 0.0);
+  double speed = std::max(inflow(velocity) / area_, 0.0);
+  for (const int node : nodes_) speed = std::max(speed, velocity[static_cast<std::size_t>(space_.velocity(node, 1))]);
+  return speed;
 }
 
 OpenBoundary::Powers OpenBoundary::powers(const std::vector<double>& velocity,

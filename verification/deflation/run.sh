@@ -7,9 +7,9 @@ out=$1
 mkdir -p "$out"
 export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
-# deflate MM MESH CFL: orifice radius in mm, cell sizes over the default ones, fem.cfl
+# deflate MM MESH CFL [VISCOSITY]: orifice radius in mm, cell sizes over the default ones, fem.cfl, viscosity over water's
 deflate() {
-  local mm=$1 mesh=$2 cfl=$3 name="orifice-$1mm-mesh$2-cfl$3"
+  local mm=$1 mesh=$2 cfl=$3 thick=${4:-1} name="orifice-$1mm-mesh$2-cfl$3${4:+-viscosity$4}"
   [ -e "$out/$name/run.json" ] && grep -q '"complete"' "$out/$name/run.json" && return
   echo "== $name"
   # the motion of the shipped case up to the end of the stretch at constant rate, the other way round
@@ -23,8 +23,8 @@ deflate() {
   local set=()
   while read -r key; do set+=(--set "$key"); done <<<"$keys"
   sed '/^samples/d' "$root/cases/motion-orifice-${mm}mm.toml" >"$out/$name.toml"
-  "$root/build/release/bin/turgor" fem flow "$out/$name.toml" -o "$out/$name" --force -q "${set[@]}" \
-    --set "fem.cfl=$cfl" --set fem.fields=0
+  "${TURGOR:-$root/build/release/bin/turgor}" fem flow "$out/$name.toml" -o "$out/$name" --force -q "${set[@]}" \
+    --set "fem.cfl=$cfl" --set fem.fields=0 --set "fluid.viscosity=$(awk -v n="$thick" 'BEGIN { print 8.94e-4 * n }') Pa s"
 }
 
 orifices=(30 20 10 5)
@@ -36,5 +36,6 @@ if [ -z "${QUICK:-}" ]; then
     deflate "$mm" 1 0.25
     deflate "$mm" 0.5 1
   done
+  for thick in 0.1 10 100 1000; do deflate 20 1 1 "$thick"; done
 fi
 /usr/bin/python3 "$here/table.py" "$out" "$here/reference.json"

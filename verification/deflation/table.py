@@ -27,10 +27,10 @@ def main():
     folder, reference = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
     recorded = json.loads(reference.read_text()) if reference.exists() else {"tolerance": 1e-3, "runs": {}}
     found, failed = {}, 0
-    print("| orifice | mesh | cfl | unknowns | steps | K | over the stretch | (2.12)/K - 1 | (2.15)/K - 1 | recorded |")
-    print("|---|---|---|---|---|---|---|---|---|---|")
+    print("| orifice | mesh | cfl | viscosity/water's | unknowns | steps | K | over the stretch | (2.12)/K - 1 | (2.15)/K - 1 | recorded |")
+    print("|---|---|---|---|---|---|---|---|---|---|---|")
     for run in sorted(p for p in folder.iterdir() if (p / "run.json").exists()):
-        mm, mesh, cfl = re.fullmatch(r"orifice-(\d+)mm-mesh([\d.]+)-cfl([\d.]+)", run.name).groups()
+        mm, mesh, cfl, thick = re.fullmatch(r"orifice-(\d+)mm-mesh([\d.]+)-cfl([\d.]+?)(?:-viscosity([\d.]+))?", run.name).groups()
         report = json.loads((run / "run.json").read_text())
         if report["status"] != "complete":
             continue
@@ -40,7 +40,7 @@ def main():
         off = was is not None and abs(k / was - 1) > recorded["tolerance"]
         failed += off
         print(
-            f"| {mm} mm | {mesh} | {cfl} | {found[run.name]['unknowns']} | {report['steps']} | {k:.3f} | {least:.3f} ... {most:.3f} "
+            f"| {mm} mm | {mesh} | {cfl} | {thick or 1} | {found[run.name]['unknowns']} | {report['steps']} | {k:.3f} | {least:.3f} ... {most:.3f} "
             f"| {100 * (96 / k - 1):.1f} % | {100 * (150 / k - 1):.1f} % | {was}{' OFF' if off else ''} |"
         )
     if "--record" in sys.argv:

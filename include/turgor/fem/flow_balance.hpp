@@ -14,7 +14,7 @@ struct FlowBalance {
   double volume;            ///< of all liquid that is meshed [m^3]
   double area;              ///< of the wall [m^2]
   double kinetic_energy;    ///< [J]
-  double power_of_inertia;  ///< int rho (du/dt + a.grad u).u [W]
+  double power_of_inertia;  ///< int rho [du/dt + a.grad u + (div u) u/2].u [W]
   double wall_power;        ///< of the wall on the liquid [W]
   double inlet_power;       ///< of the traction at the inlet [W]
   double inlet_kinetic;     ///< kinetic energy carried in through the inlet [W]

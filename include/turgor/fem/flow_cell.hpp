@@ -115,17 +115,20 @@ template <class T>
 [[nodiscard]] std::array<double, 2> frozen_advection(const ShapeValues& shape, const CellState& cell);
 
 /// Adds one point's share of
-///   integral r dr dz { [rho (du/dt + a.grad u) - f].v + 2 mu D(u):D(v) + 2 mu u_r v_r/r^2 - p div v
+///   integral r dr dz { [rho (du/dt + a.grad u + (div u) u/2) - f].v + 2 mu D(u):D(v) + 2 mu u_r v_r/r^2 - p div v
 ///                      + gamma div u div v + tau (a.grad v).(strong residual) },   - integral r dr dz q div u,
-/// a = u - mesh velocity, div v = dv_r/dr + v_r/r + dv_z/dz. T is double, or complex to check the tangent.
+/// a = u - mesh velocity. The half divergence is Temam's: of a velocity that is solenoidal in the mean only it makes
+/// the convection neither gain nor lose energy. div v = dv_r/dr + v_r/r + dv_z/dz. T is double, or complex to check the
+/// tangent.
 template <class T>
 void add_residual(const ShapeValues& shape, const CellPoint& at, const Stabilization& stable, const CellSettings& s,
                   const PointValues<T>& v, CellResidual<T>& out) {
   for (std::size_t i = 0; i < velocity_nodes; ++i) {
     const T upwind = stable.streamline * (v.advection[0] * at.gradient[0][i] + v.advection[1] * at.gradient[1][i]);
     for (std::size_t c = 0; c < 2; ++c) {
-      const T inertia =
-          s.density * (v.rate[c] + v.advection[0] * v.gradient[c][0] + v.advection[1] * v.gradient[c][1]) - v.force[c];
+      const T inertia = s.density * (v.rate[c] + v.advection[0] * v.gradient[c][0] + v.advection[1] * v.gradient[c][1] +
+                                     0.5 * v.divergence * v.velocity[c]) -
+                        v.force[c];
       T stress = s.viscosity * ((v.gradient[c][0] + v.gradient[0][c]) * at.gradient[0][i] +
                                 (v.gradient[c][1] + v.gradient[1][c]) * at.gradient[1][i]);
       double divergence = at.gradient[c][i];

@@ -34,7 +34,8 @@ class OpenBoundary {
   [[nodiscard]] Powers powers(const std::vector<double>& velocity, const std::vector<double>& frozen) const;
   /// integral max(u_z, 0) N_i N_j r dr
   [[nodiscard]] std::vector<double> tangential(const std::vector<double>& velocity) const;
-  /// max(mean u_z over the free nodes, 0) [m/s].
+  /// Greatest u_z of a node, at least its mean over the free nodes and at least 0 [m/s]: where the flow through the
+  /// plane turns, liquid enters in places although the mean leaves, and the energy that it brings must be lost as well.
   [[nodiscard]] double entering_speed(const std::vector<double>& velocity) const;
 
  private:
