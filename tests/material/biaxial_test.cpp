@@ -129,6 +129,11 @@ TEST_P(EveryMaterialInTwoDirections, IsAnIncompressibleLinearSheetAtSmallStrain)
   EXPECT_NEAR(strained.d1 / (mu * e), 4 - 2 * 2, 1e-5);
 }
 
+// E = 3 mu = 9.9 MPa, nu = 1/2, d = 3 mm: 9.9e6 * 2.7e-8/9.
+TEST(BendingStiffness, IsThatOfAnIncompressiblePlate) {
+  EXPECT_NEAR(bending_stiffness(Material<double>{MooneyRivlin<double>{1.5e6, 1.5e5}}, 3e-3), 0.0297, 1e-15);
+}
+
 // Far beyond every limit: infinite throughout or finite throughout, never NaN.
 TEST_P(EveryMaterialInTwoDirections, IsInfiniteAndNotNanBeyondItsLimit) {
   for (const auto& [l1, l2] :

@@ -60,6 +60,15 @@ template <class T>
   return strain_energy(material, T(1)).second / 12;
 }
 
+/// Bending stiffness D = E d^3/(12 (1 - nu^2)) [N m] of a thin sheet of an incompressible material: E = 3 mu and nu =
+/// 1/2 make it mu d^3/3. The energy of changes k1, k2 of its principal curvatures is D/2 (k1^2 + k1 k2 + k2^2) per
+/// area.
+/// @param thickness  d [m], > 0
+template <class T>
+[[nodiscard]] T bending_stiffness(const Material<T>& material, const T& thickness) {
+  return shear_modulus(material) * thickness * thickness * thickness / 3;
+}
+
 /// Stretch at which the material locks [1]; +infinity when it never does.
 template <class T>
 [[nodiscard]] T stretch_limit(const Material<T>& material) {
