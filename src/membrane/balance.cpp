@@ -1,6 +1,5 @@
 #include "balance.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

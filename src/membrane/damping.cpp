@@ -97,9 +97,9 @@ MembraneDamping Membrane::damping(const Eigen::VectorXd& places, const Eigen::Ve
     for (std::size_t g = 0; g < gauss_points.size(); ++g) {
       const ReferencePoint& reference = parts_->points[e][g];
       const PointMap& map = parts_->maps[g];
-      const PointVector q = map * parts_->places_of(places, e);
+      const PointVector q = map * places_of(places, e);
       require_regular(q, e);
-      const auto l = stretches_at(map, reference, q, map * parts_->places_of(velocity, e));
+      const auto l = stretches_at(map, reference, q, map * places_of(velocity, e));
       const PointDamping point = point_damping(l, stress_rate(wall.material, l, q(0)));
       const double weight =
           wall.damping_time * wall.thickness * gauss_points[g].weight * reference.radius * reference.length;

@@ -1,7 +1,6 @@
 #include "turgor/membrane/equilibrium.hpp"
 
 #include <Eigen/SparseLU>
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -61,7 +60,7 @@ std::optional<MembraneState> newton(const Membrane& membrane, const MembraneStat
     const auto n = static_cast<Index>(balance.unknowns.size());
     VectorXd defect(n + 1);
     defect << balance.force, (held == Held::pressure ? pressure : full_circle * volume.value) - value;
-    Eigen::SparseLU<SparseMatrix<double>> solver(bordered(balance, volume, held));
+    const Eigen::SparseLU<SparseMatrix<double>> solver(bordered(balance, volume, held));
     if (solver.info() != Eigen::Success) return std::nullopt;
     const VectorXd change = solver.solve(defect);
     if (!change.allFinite()) return std::nullopt;

@@ -158,10 +158,10 @@ void Membrane::Parts::set_mass() {
   mass.setFromTriplets(entries.begin(), entries.end());
 }
 
-Membrane::Membrane(Meridian reference, MembraneWall wall) {
+Membrane::Membrane(const Meridian& reference, MembraneWall wall) {
   check_nodes(reference);
   check_wall(wall);
-  auto parts = std::make_unique<Parts>();
+  auto parts = std::make_shared<Parts>();
   parts->wall = std::move(wall);
   const auto& nodes = reference.nodes;
   parts->reference.resize(static_cast<Index>(2 * nodes.size()));
@@ -180,10 +180,6 @@ Membrane::Membrane(Meridian reference, MembraneWall wall) {
   parts_ = std::move(parts);
 }
 
-Membrane::~Membrane() = default;
-Membrane::Membrane(Membrane&&) noexcept = default;
-Membrane& Membrane::operator=(Membrane&&) noexcept = default;
-
 const MembraneWall& Membrane::wall() const { return parts_->wall; }
 const VectorXd& Membrane::reference() const { return parts_->reference; }
 bool Membrane::closed() const { return parts_->closed; }
@@ -197,7 +193,7 @@ MembraneForm Membrane::elastic(const VectorXd& places) const {
   for (std::size_t e = 0; e < parts_->elements(); ++e) {
     for (std::size_t g = 0; g < gauss_points.size(); ++g) {
       const ReferencePoint& reference = parts_->points[e][g];
-      const PointVector q = parts_->maps[g] * parts_->places_of(places, e);
+      const PointVector q = parts_->maps[g] * places_of(places, e);
       require_regular(q, e);
       const auto x = variables_at(q);
       const Point l1 = (1 / reference.length) * x.length();
@@ -219,7 +215,7 @@ MembraneForm Membrane::volume(const VectorXd& places) const {
   FormSum sum(places.size());
   for (std::size_t e = 0; e < parts_->elements(); ++e) {
     for (std::size_t g = 0; g < gauss_points.size(); ++g) {
-      const PointVector q = parts_->maps[g] * parts_->places_of(places, e);
+      const PointVector q = parts_->maps[g] * places_of(places, e);
       const auto x = variables_at(q);
       sum.add(static_cast<Index>(4 * e), parts_->maps[g], x.r * x.r * x.dz,
               gauss_points[g].weight * parts_->orientation / 2);
@@ -232,7 +228,7 @@ double Membrane::area(const VectorXd& places) const {
   double sum = 0;
   for (std::size_t e = 0; e < parts_->elements(); ++e) {
     for (std::size_t g = 0; g < gauss_points.size(); ++g) {
-      const PointVector q = parts_->maps[g] * parts_->places_of(places, e);
+      const PointVector q = parts_->maps[g] * places_of(places, e);
       sum += gauss_points[g].weight * q(0) * std::hypot(q(1), q(2));
     }
   }

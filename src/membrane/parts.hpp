@@ -2,6 +2,7 @@
 // What a Membrane keeps.
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "element.hpp"
@@ -19,6 +20,11 @@ struct Joint {
   double size;                                    ///< harmonic mean of the elements' lengths [m]
 };
 
+/// Those of an element's nodes, or their velocities, from those of all nodes.
+[[nodiscard]] inline Eigen::Matrix<double, element_unknowns, 1> places_of(const Eigen::VectorXd& all, std::size_t e) {
+  return all.segment<element_unknowns>(static_cast<Eigen::Index>(4 * e));
+}
+
 struct Membrane::Parts {
   MembraneWall wall;
   Eigen::VectorXd reference;
@@ -33,9 +39,6 @@ struct Membrane::Parts {
   Eigen::SparseMatrix<double> mass;
 
   [[nodiscard]] std::size_t elements() const { return points.size(); }
-  [[nodiscard]] Eigen::Matrix<double, element_unknowns, 1> places_of(const Eigen::VectorXd& all, std::size_t e) const {
-    return all.segment<element_unknowns>(static_cast<Eigen::Index>(4 * e));
-  }
   void set_points();
   void set_joints();
   void set_free(std::size_t rim_node);

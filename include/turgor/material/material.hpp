@@ -43,12 +43,13 @@ template <class T, class S>
           return infinite_unless_finite(solid.energy(l1, l2));
         } else {
           const BiaxialJet<S> i1 = first_invariant_minus_3(l1, l2);
-          BiaxialJet<S> w = of_invariant(solid.of_first(i1.value), i1);
+          const BiaxialJet<S> first = of_invariant(solid.of_first(i1.value), i1);
           if constexpr (requires { solid.of_second(i1.value); }) {
             const BiaxialJet<S> i2 = second_invariant_minus_3(l1, l2);
-            w = w + of_invariant(solid.of_second(i2.value), i2);
+            return infinite_unless_finite(first + of_invariant(solid.of_second(i2.value), i2));
+          } else {
+            return infinite_unless_finite(first);
           }
-          return infinite_unless_finite(w);
         }
       },
       material);

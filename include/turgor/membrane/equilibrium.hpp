@@ -22,12 +22,13 @@ struct MembraneState {
 /// The state at a pressure, reached from another one through stable states: by Newton's method with the exact tangent,
 /// in steps of pressure as long as it allows.
 /// @throws ComputationFailed with pressure and radius of the last state when there is none any more: the membrane
-///         bursts, or jumps to another well, at the limit point
+///         bursts, or jumps to another well, at the limit point; InvalidInput for a pressure that is not finite
 [[nodiscard]] MembraneState hold_pressure(const Membrane& membrane, const MembraneState& start, double pressure);
 
 /// The state at a volume [m^3], reached from another one in steps of volume; limit points of the pressure do not
 /// matter.
-/// @throws ComputationFailed with volume and pressure of the last state, where Newton's method fails in small steps
+/// @throws ComputationFailed with volume and pressure of the last state, where Newton's method fails in small steps;
+///         InvalidInput for a volume that is not positive and finite
 [[nodiscard]] MembraneState hold_volume(const Membrane& membrane, const MembraneState& start, double volume);
 
 /// States along the curve of equilibria, as pseudo-arclength continuation finds them.
@@ -36,7 +37,7 @@ struct InflationCurve {
   std::vector<std::size_t> limit_points;  ///< those of the states that are extrema of the pressure, to rounding
 };
 /// From a state on with rising pressure, up to a volume [m^3].
-/// @throws ComputationFailed when the curve ends before
+/// @throws ComputationFailed when the curve ends before; InvalidInput when the volume is not beyond that of the start
 [[nodiscard]] InflationCurve inflation_curve(const Membrane& membrane, const MembraneState& start, double volume);
 
 /// The first maximum of the pressure on the way from the slack state to a volume [m^3].

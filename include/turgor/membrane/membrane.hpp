@@ -46,10 +46,7 @@ class Membrane {
  public:
   /// @throws InvalidInput for membrane.nodes that are no meridian, and for a thickness or density that is not positive,
   ///         or a bending stiffness or damping time that is negative
-  Membrane(Meridian reference, MembraneWall wall);
-  ~Membrane();
-  Membrane(Membrane&&) noexcept;
-  Membrane& operator=(Membrane&&) noexcept;
+  Membrane(const Meridian& reference, MembraneWall wall);
 
   [[nodiscard]] const MembraneWall& wall() const;
   /// Places of the stress-free membrane.
@@ -93,7 +90,7 @@ class Membrane {
 
  private:
   struct Parts;
-  std::unique_ptr<const Parts> parts_;
+  std::shared_ptr<const Parts> parts_;  // never changes: copies share it
 };
 
 }  // namespace turgor
