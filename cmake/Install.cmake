@@ -1,7 +1,7 @@
 # cmake --install, and find_package(turgor) afterwards.
 include(CMakePackageConfigHelpers)
 
-install(TARGETS turgor_core turgor_mesh turgor_case EXPORT turgorTargets)
+install(TARGETS turgor_core turgor_mesh turgor_membrane turgor_case EXPORT turgorTargets)
 install(TARGETS turgor RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 if(TURGOR_SWEEP)
   install(TARGETS turgor-sweep RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

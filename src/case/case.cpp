@@ -11,6 +11,7 @@ namespace turgor {
 std::span<const Part> case_parts() {
   static const std::vector<Part> parts{
       {declare_balloon, read_balloon, {"balloon", "material", "fluid", "inlet"}, false, true},
+      {declare_wall, read_wall, {"wall"}, true, false},
       {declare_pressure, read_pressure, {"pressure"}, false, true},
       {declare_motion, read_motion, {"motion"}, false, false},
       {declare_solve, read_solve, {"solve"}, false, true},

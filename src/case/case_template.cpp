@@ -27,7 +27,9 @@ void convert_units(Node& node, const std::string& path, const Reader& reader) {
       }
     }
   } else if (const auto* text = node.as<std::string>(); key != nullptr && text != nullptr) {
-    if (key->kind == ValueKind::quantity) node.value = Node::Quantity{parse_quantity(*text, key->unit), key->unit};
+    const bool word = std::ranges::find(key->choices, *text) != key->choices.end();
+    if (key->kind == ValueKind::quantity && !word)
+      node.value = Node::Quantity{parse_quantity(*text, key->unit), key->unit};
   }
 }
 

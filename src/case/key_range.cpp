@@ -41,7 +41,7 @@ double read_value(const Key& key, const std::string& path, std::string_view give
 Key ranged_key(const Case& c, const std::string& option, const std::string& path) {
   const std::string table = path.substr(0, path.find('.'));
   if (table == "sweep" || table == "output" || table == "expect" || table == "solve" || table == "initial" ||
-      table == "fem") {
+      table == "fem" || table == "wall") {
     throw InvalidInput(option, path, "has no influence on states of rest", "give a key of the balloon or its pressure");
   }
   const Key* found = case_schema().find(path, c.material_name);

@@ -13,6 +13,9 @@ namespace turgor {
 void declare_balloon(Schema& schema);  // [balloon] [material] [fluid] [inlet]
 void read_balloon(Reader& reader, Case& c);
 
+void declare_wall(Schema& schema);  // [wall]
+void read_wall(Reader& reader, Case& c);
+
 void declare_pressure(Schema& schema);  // [pressure]
 void read_pressure(Reader& reader, Case& c);
 

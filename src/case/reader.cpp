@@ -113,7 +113,8 @@ std::optional<double> Reader::scalar(const std::string& path, const Key& key, co
     try {
       value = exact != nullptr ? exact->value : parse_quantity(*text, key.unit);
     } catch (const InvalidInput& error) {
-      complain(path, error.issues().front().problem, error.issues().front().advice);
+      const Issue& issue = error.issues().front();
+      complain(path, issue.problem, issue.advice + (key.choices.empty() ? "" : ", or " + choices_text(key.choices)));
       return std::nullopt;
     }
   } else if (const auto* number = given.as<double>()) {

@@ -94,7 +94,7 @@ class AxisReader {
   /// A key whose values can be swept; an element of a list counts as a value of that list's kind.
   std::optional<Key> swept_key(const std::string& name) {
     const std::string top = name.substr(0, name.find('.'));
-    if (name == "title" || top == "sweep" || top == "output" || top == "expect" || top == "fem") {
+    if (name == "title" || top == "sweep" || top == "output" || top == "expect" || top == "fem" || top == "wall") {
       reader_.complain(path_, "cannot be swept", "keys of the balloon, its pressure and its motion can");
       return std::nullopt;
     }

@@ -19,8 +19,8 @@ namespace {
 
 constexpr const char* option = "--fem";
 
-// [scales] follow from the closure, and a dictated motion does not use them.
-const std::array<std::string, 6> may_differ{"model", "output", "scales", "fem", "solve.samples", "solve.times"};
+// [scales] follow from the closure, and a dictated motion uses neither them nor the elastic wall.
+const std::array<std::string, 7> may_differ{"model", "output", "scales", "fem", "wall", "solve.samples", "solve.times"};
 
 InvalidInput unfit(const fs::path& folder, std::string problem, std::string advice = {}) {
   return InvalidInput(option, "\"" + folder.string() + "\"", std::move(problem), std::move(advice));

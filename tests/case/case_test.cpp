@@ -105,6 +105,23 @@ TEST(Case, FiniteElementsHaveTheirDefaults) {
   EXPECT_EQ(fine.fem.h_rim, 3e-4);
 }
 
+// E d0^3/(12 (1 - nu^2)) with E = 3 * 2 (s1 + s2) = 9.9 MPa and nu = 1/2: 0.0297 N m.
+TEST(Case, TheWallHasTheBendingStiffnessOfItsThickness) {
+  const Case c = read_case(paper_case);
+  EXPECT_NEAR(c.wall.bending_stiffness, 0.0297, 1e-15);
+  EXPECT_EQ(c.wall.damping_time, 0);
+  EXPECT_FALSE(c.wall.clamped);
+  const Case thick = read_case(paper_case, {"balloon.thickness=6 mm", "wall.bending_stiffness=auto"});
+  EXPECT_NEAR(thick.wall.bending_stiffness, 8 * 0.0297, 1e-14);
+  const Case other =
+      read_case(paper_case, {"wall.bending_stiffness=0.1 N cm", "wall.damping_time=10 ms", "wall.rim=clamped"});
+  EXPECT_DOUBLE_EQ(other.wall.bending_stiffness, 1e-3);
+  EXPECT_DOUBLE_EQ(other.wall.damping_time, 0.01);
+  EXPECT_TRUE(other.wall.clamped);
+  EXPECT_EQ(parse_case(other.resolved, paper_case).resolved, other.resolved);
+  EXPECT_EQ(read_case(paper_case, {"wall.bending_stiffness=0 N m"}).wall.bending_stiffness, 0);
+}
+
 TEST(Case, FiniteElementsAreReadInSiUnits) {
   const Case c =
       read_case(paper_case, {"inlet.wall=slip", "inlet.tangential=zero", "inlet.inflow_penalty=5", "fem.scheme=bdf1",

@@ -43,6 +43,13 @@ struct InletConditions {
   double inflow_penalty;  ///< beta: keeps the inflow profile at its mean by a traction beta rho U (u_n - U)
 };
 
+/// The wall as an elastic membrane, for coupled finite elements.
+struct WallSettings {
+  double bending_stiffness;  ///< D [N m]
+  double damping_time;       ///< eta of the Kelvin-Voigt damping [s]
+  bool clamped;              ///< at the rim; else hinged
+};
+
 /// Backward differences of first or second order.
 enum class FemScheme { bdf1, bdf2 };
 /// "bdf1" or "bdf2".
@@ -89,6 +96,7 @@ struct Case {
   double auto_tolerance = 0.05;
   Scales<double> scales{};
   InletConditions inlet{};
+  WallSettings wall{};
   SolveSettings solve{};
   FemSettings fem{};
   OutputSettings output{};

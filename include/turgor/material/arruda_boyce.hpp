@@ -21,9 +21,15 @@ struct ArrudaBoyce {
   /// W and its derivatives at stretch lambda > 0.
   template <class S>
   [[nodiscard]] Jet<S> energy(const S& lambda) const {
-    const std::array<T, 5> c{T(1) / 2, T(1) / 20, T(11) / 1050, T(19) / 7000, T(519) / 673750};
     const Jet<S> i1 = first_invariant_minus_3(lambda);
-    const S whole = i1.value + 3.0;
+    return of_invariant(of_first(i1.value), i1);
+  }
+
+  /// f of W = f(j), j = I1 - 3, with its derivatives in j.
+  template <class S>
+  [[nodiscard]] Jet<S> of_first(const S& j) const {
+    const std::array<T, 5> c{T(1) / 2, T(1) / 20, T(11) / 1050, T(19) / 7000, T(519) / 673750};
+    const S whole = j + 3.0;
     const T shrink = 1 / (lambda_m * lambda_m);
     Jet<S> f{S(0.0), S(0.0), S(0.0)};
     S power(1.0);       // I1^(i-1)
@@ -34,7 +40,7 @@ struct ArrudaBoyce {
     for (std::size_t i = 1; i <= c.size(); ++i) {
       const T weight = factor * c[i - 1];
       const T n(static_cast<double>(i));
-      f.value += weight * difference * i1.value;
+      f.value += weight * difference * j;
       f.first += weight * n * power;
       f.second += weight * n * (n - 1) * previous;
       previous = power;
@@ -43,7 +49,7 @@ struct ArrudaBoyce {
       difference = difference * whole + three;
       factor *= shrink;
     }
-    return of_invariant(f, i1);
+    return f;
   }
 };
 

@@ -20,17 +20,23 @@ struct Fung {
   /// W and its derivatives at stretch lambda > 0.
   template <class S>
   [[nodiscard]] Jet<S> energy(const S& lambda) const {
+    const Jet<S> i1 = first_invariant_minus_3(lambda);
+    return of_invariant(of_first(i1.value), i1);
+  }
+
+  /// f of W = f(j), j = I1 - 3, with its derivatives in j.
+  template <class S>
+  [[nodiscard]] Jet<S> of_first(const S& j) const {
     using std::exp;
     using std::expm1;
-    const Jet<S> i1 = first_invariant_minus_3(lambda);
-    const S growth = exp(b * i1.value);
+    const S growth = exp(b * j);
     S minus_one;
-    if constexpr (requires { expm1(i1.value); }) {
-      minus_one = expm1(b * i1.value);
+    if constexpr (requires { expm1(j); }) {
+      minus_one = expm1(b * j);
     } else {
       minus_one = growth - 1.0;
     }
-    return of_invariant(Jet<S>{(mu / (2 * b)) * minus_one, (mu / 2) * growth, (mu * b / 2) * growth}, i1);
+    return {(mu / (2 * b)) * minus_one, (mu / 2) * growth, (mu * b / 2) * growth};
   }
 };
 

@@ -20,7 +20,13 @@ struct Gent {
   template <class S>
   [[nodiscard]] Jet<S> energy(const S& lambda) const {
     const Jet<S> i1 = first_invariant_minus_3(lambda);
-    return of_invariant(gent_function(mu, jm, i1.value), i1);
+    return of_invariant(of_first(i1.value), i1);
+  }
+
+  /// f of W = f(j), j = I1 - 3, with its derivatives in j.
+  template <class S>
+  [[nodiscard]] Jet<S> of_first(const S& j) const {
+    return gent_function(mu, jm, j);
   }
 
   /// Stretch at which the chains are fully extended [1].

@@ -22,21 +22,34 @@ struct GentGent {
   /// jm.
   template <class S>
   [[nodiscard]] Jet<S> energy(const S& lambda) const {
-    using std::log;
-    using std::log1p;
     const Jet<S> i1 = first_invariant_minus_3(lambda);
     const Jet<S> i2 = second_invariant_minus_3(lambda);
-    const Jet<S> chains = of_invariant(gent_function(mu, jm, i1.value), i1);
+    const Jet<S> chains = of_invariant(of_first(i1.value), i1);
     const S whole = i2.value + 3.0;
+    const S first = i2.first / whole;
+    return {chains.value + of_second(i2.value).value, chains.first + c2 * first,
+            chains.second + c2 * (i2.second / whole - first * first)};
+  }
+
+  /// f of W = f(I1 - 3) + g(I2 - 3), with its derivatives.
+  template <class S>
+  [[nodiscard]] Jet<S> of_first(const S& j) const {
+    return gent_function(mu, jm, j);
+  }
+
+  /// g, as above.
+  template <class S>
+  [[nodiscard]] Jet<S> of_second(const S& j) const {
+    using std::log;
+    using std::log1p;
+    const S whole = j + 3.0;
     S logarithm;
-    if constexpr (requires { log1p(i2.value); }) {
-      logarithm = log1p(i2.value / 3.0);
+    if constexpr (requires { log1p(j); }) {
+      logarithm = log1p(j / 3.0);
     } else {
       logarithm = log(whole / 3.0);
     }
-    const S first = i2.first / whole;
-    return {chains.value + c2 * logarithm, chains.first + c2 * first,
-            chains.second + c2 * (i2.second / whole - first * first)};
+    return {c2 * logarithm, c2 / whole, -c2 / (whole * whole)};
   }
 
   /// Stretch at which the chains are fully extended [1].

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "turgor/material/arruda_boyce.hpp"
+#include "turgor/material/biaxial.hpp"
 #include "turgor/material/fung.hpp"
 #include "turgor/material/gent.hpp"
 #include "turgor/material/gent_gent.hpp"
@@ -30,6 +31,43 @@ using Material =
 template <class T, class S>
 [[nodiscard]] Jet<S> strain_energy(const Material<T>& material, const S& lambda) {
   return std::visit([&](const auto& solid) { return solid.energy(lambda); }, material);
+}
+
+/// Strain energy density W [J/m^3] at principal stretches l1, l2 > 0 of an incompressible sheet, with its derivatives
+/// [Pa]. Infinite, never NaN, where the material has locked (I1 - 3 >= jm) and where a number is out of double's range.
+template <class T, class S>
+[[nodiscard]] BiaxialJet<S> strain_energy(const Material<T>& material, const S& l1, const S& l2) {
+  return std::visit(
+      [&](const auto& solid) {
+        if constexpr (requires { solid.energy(l1, l2); }) {
+          return infinite_unless_finite(solid.energy(l1, l2));
+        } else {
+          const BiaxialJet<S> i1 = first_invariant_minus_3(l1, l2);
+          const BiaxialJet<S> first = of_invariant(solid.of_first(i1.value), i1);
+          if constexpr (requires { solid.of_second(i1.value); }) {
+            const BiaxialJet<S> i2 = second_invariant_minus_3(l1, l2);
+            return infinite_unless_finite(first + of_invariant(solid.of_second(i2.value), i2));
+          } else {
+            return infinite_unless_finite(first);
+          }
+        }
+      },
+      material);
+}
+
+/// Shear modulus at small strain [Pa]: W'' = 12 mu at lambda = 1, in equal biaxial stretch.
+template <class T>
+[[nodiscard]] T shear_modulus(const Material<T>& material) {
+  return strain_energy(material, T(1)).second / 12;
+}
+
+/// Bending stiffness D = E d^3/(12 (1 - nu^2)) [N m] of a thin sheet of an incompressible material: E = 3 mu and nu =
+/// 1/2 make it mu d^3/3. The energy of changes k1, k2 of its principal curvatures is D/2 (k1^2 + k1 k2 + k2^2) per
+/// area.
+/// @param thickness  d [m], > 0
+template <class T>
+[[nodiscard]] T bending_stiffness(const Material<T>& material, const T& thickness) {
+  return shear_modulus(material) * thickness * thickness * thickness / 3;
 }
 
 /// Stretch at which the material locks [1]; +infinity when it never does.

@@ -24,6 +24,18 @@ struct MooneyRivlin {
     return {s1 * i1.value + s2 * i2.value, first.numerator / first.denominator, s1 * i1.second + s2 * i2.second};
   }
 
+  /// f of W = f(I1 - 3) + g(I2 - 3), with its derivatives.
+  template <class S>
+  [[nodiscard]] Jet<S> of_first(const S& j) const {
+    return {s1 * j, S(s1), S(0.0)};
+  }
+
+  /// g, as above.
+  template <class S>
+  [[nodiscard]] Jet<S> of_second(const S& j) const {
+    return {s2 * j, S(s2), S(0.0)};
+  }
+
   /// dW/dlambda as a fraction: the innermost loop of every simulation then has one division and not three.
   template <class S>
   [[nodiscard]] Fraction<S> tension(const S& lambda) const {

@@ -21,6 +21,13 @@ struct NeoHookean {
     const T half = mu / 2;
     return {half * i1.value, half * i1.first, half * i1.second};
   }
+
+  /// f of W = f(j), j = I1 - 3, with its derivatives in j.
+  template <class S>
+  [[nodiscard]] Jet<S> of_first(const S& j) const {
+    const T half = mu / 2;
+    return {half * j, S(half), S(0.0)};
+  }
 };
 
 }  // namespace turgor

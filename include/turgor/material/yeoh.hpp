@@ -19,9 +19,13 @@ struct Yeoh {
   template <class S>
   [[nodiscard]] Jet<S> energy(const S& lambda) const {
     const Jet<S> i1 = first_invariant_minus_3(lambda);
-    const S& j = i1.value;
-    const Jet<S> f{j * (c1 + j * (c2 + j * c3)), c1 + j * (2.0 * c2 + j * (3.0 * c3)), 2.0 * c2 + j * (6.0 * c3)};
-    return of_invariant(f, i1);
+    return of_invariant(of_first(i1.value), i1);
+  }
+
+  /// f of W = f(j), j = I1 - 3, with its derivatives in j.
+  template <class S>
+  [[nodiscard]] Jet<S> of_first(const S& j) const {
+    return {j * (c1 + j * (c2 + j * c3)), c1 + j * (2.0 * c2 + j * (3.0 * c3)), 2.0 * c2 + j * (6.0 * c3)};
   }
 };
 
