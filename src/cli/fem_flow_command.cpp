@@ -25,9 +25,10 @@ int exit_code(const FlowRunResult& result) {
 
 }  // namespace
 
-CLI::App* add_fem_flow(CLI::App& fem, FemFlowArguments& arguments) {
-  CLI::App* command =
-      fem.add_subcommand("flow", "the flow in a balloon whose radius the case dictates: its [motion] table");
+namespace {
+
+CLI::App* add_run(CLI::App& fem, const char* name, const char* description, FemFlowArguments& arguments) {
+  CLI::App* command = fem.add_subcommand(name, description);
   command->footer(
       "Exit codes: 0 done; 2 bad input; 4 a step failed or a file could not be written; 130 interrupted or out of "
       "time. "
@@ -50,10 +51,19 @@ CLI::App* add_fem_flow(CLI::App& fem, FemFlowArguments& arguments) {
   return command;
 }
 
+}  // namespace
+
+CLI::App* add_fem_flow(CLI::App& fem, FemFlowArguments& arguments) {
+  return add_run(fem, "flow", "the flow in a balloon whose radius the case dictates: its [motion] table", arguments);
+}
+
+CLI::App* add_fem_fsi(CLI::App& fem, FemFlowArguments& arguments) {
+  return add_run(fem, "fsi", "liquid and elastic wall together under the pressure at the inlet", arguments);
+}
+
 int compute_fem_flow(const FemFlowArguments& arguments, const FlowProblemMaker& make_problem,
                      const std::vector<std::pair<std::string, std::string>>& versions) {
   const Case c = read_case(arguments.input.file, arguments.input.overrides);
-  (void)dictated_motion(c);
   (void)std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is an error to report, like a full disk
   catch_interruptions();
   const std::unique_ptr<FlowProblem> problem = make_problem(c);  // before anything is written: it may refuse the case

@@ -1,5 +1,5 @@
 #pragma once
-// turgor fem flow: the flow under a dictated motion.
+// turgor fem flow: the flow under a dictated motion; turgor fem fsi: that of a balloon with an elastic wall.
 
 #include <string>
 #include <utility>
@@ -20,8 +20,9 @@ struct FemFlowArguments {
   double max_wall_seconds = 0;  ///< 0: no limit
 };
 
-/// Declares the command with its arguments, which must outlive `fem`.
+/// Declares `flow` (dictated motion) or `fsi` (elastic wall) with its arguments, which must outlive `fem`.
 CLI::App* add_fem_flow(CLI::App& fem, FemFlowArguments& arguments);
+CLI::App* add_fem_fsi(CLI::App& fem, FemFlowArguments& arguments);
 
 /// Runs it and returns the exit code.
 /// @param versions  of the libraries behind the solver

@@ -6,6 +6,7 @@
 
 #include "fem_flow_command.hpp"
 #include "guarded.hpp"
+#include "turgor/fem/coupled_flow.hpp"
 #include "turgor/fem/dictated_flow.hpp"
 #include "turgor/fem/session.hpp"
 
@@ -38,6 +39,8 @@ int main(int argc, char** argv) {
   fem->require_subcommand(1);
   FemFlowArguments flow;
   CLI::App* flow_command = add_fem_flow(*fem, flow);
+  FemFlowArguments fsi;
+  CLI::App* fsi_command = add_fem_fsi(*fem, fsi);
   bool versions_json = false;
   CLI::App* versions = fem->add_subcommand("versions", "the libraries that have a say in the results");
   versions->add_flag("--json", versions_json, "print one JSON document and nothing else");
@@ -46,11 +49,13 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? exit_done : exit_bad_input;
   }
-  if (flow_command->parsed()) {
-    return guarded(flow.input.json, [&] {
+  const auto run = [&](const FemFlowArguments& arguments, const turgor::FlowProblemMaker& make_problem) {
+    return guarded(arguments.input.json, [&] {
       const turgor::FemSession session;
-      return compute_fem_flow(flow, turgor::make_dictated_flow, turgor::fem_versions());
+      return compute_fem_flow(arguments, make_problem, turgor::fem_versions());
     });
-  }
+  };
+  if (flow_command->parsed()) return run(flow, turgor::make_dictated_flow);
+  if (fsi_command->parsed()) return run(fsi, turgor::make_coupled_flow);
   return guarded(versions_json, [&] { return print_versions(versions_json); });
 }

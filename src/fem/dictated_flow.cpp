@@ -6,12 +6,14 @@
 #include <limits>
 #include <numbers>
 
+#include "spherical_cap.hpp"
 #include "turgor/base/errors.hpp"
 #include "turgor/base/text.hpp"
-#include "turgor/fem/flow_balance.hpp"
+#include "turgor/fem/flow_checkpoint.hpp"
 #include "turgor/fem/flow_fields.hpp"
 #include "turgor/fem/flow_solver.hpp"
 #include "turgor/fem/orifice_profile.hpp"
+#include "turgor/fem/step_control.hpp"
 #include "turgor/mesh/balloon_mesh.hpp"
 #include "turgor/mesh/toroidal_motion.hpp"
 
@@ -20,24 +22,6 @@ namespace turgor {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double growth = 1.25;          ///< of one step over the last
-constexpr double steps_per_phase = 40;   ///< at least, so that a motion is followed where nothing flows
-constexpr double first_step_part = 0.1;  ///< of the step that would be taken otherwise
-constexpr int many_iterations = 4;       ///< of Newton's method: shorter steps are cheaper
-constexpr int most_halvings = 10;
-
-/// Balloon of radius r as a sphere through its rim, per unit length: volume [m^3] and its derivative [m^2].
-double cap_volume(double r, double a) {
-  const double height = r + std::sqrt((r - a) * (r + a));
-  return pi * height * height * (3 * r - height) / 3;
-}
-double cap_volume_rate(double r, double a) {
-  const double centre = std::sqrt((r - a) * (r + a));
-  const double height = r + centre;
-  const double height_rate = 1 + r / centre;
-  return pi * (2 * height * height_rate * (3 * r - height) + height * height * (3 - height_rate)) / 3;
-}
-
 MeshRequest mesh_request(const Case& c) {
   return {.orifice_radius = c.parameters.orifice_radius,
           .channel_length = c.parameters.channel_length,
@@ -45,18 +29,6 @@ MeshRequest mesh_request(const Case& c) {
           .rim = c.fem.h_rim,
           .orifice = c.fem.h_orifice,
           .wall = c.fem.h_wall};
-}
-
-FlowControls controls_of(const Case& c) {
-  FlowControls controls;
-  controls.scheme = c.fem.scheme;
-  controls.update_tolerance = c.fem.tolerance;
-  constexpr double solved = 10;  // over the local error: what Newton's method leaves must not be taken for it
-  if (c.fem.error_tolerance > 0) {
-    controls.update_tolerance = std::min(controls.update_tolerance, solved * c.fem.error_tolerance);
-  }
-  controls.max_newton = static_cast<int>(c.fem.max_iterations);
-  return controls;
 }
 
 class DictatedFlow final : public FlowProblem {
@@ -67,8 +39,11 @@ class DictatedFlow final : public FlowProblem {
         mesh_(balloon_mesh(mesh_request(case_))),
         mesh_motion_(case_.parameters.orifice_radius, motion_.at(0).radius),
         space_(mesh_),
-        solver_(space_, definition(), controls_of(case_)),
-        error_limit_(error_limit()),
+        solver_(space_, definition(), controls_of(case_.fem)),
+        control_(case_.fem, {.length = case_.parameters.orifice_radius,
+                             .speed = [this](double t) { return courant_speed(t); },
+                             .phase = [this] { return phase_duration(); },
+                             .error_limit = error_limit()}),
         profile_(space_, case_.parameters.orifice_radius),
         balance_(balance()) {}
 
@@ -82,24 +57,14 @@ class DictatedFlow final : public FlowProblem {
   void save(Checkpoint& checkpoint) override;
   void load(const Checkpoint& checkpoint) override;
   [[nodiscard]] std::vector<OutflowPoint> outflow() const override { return profile_.mean(); }
-  [[nodiscard]] std::vector<Warning> warnings() const override;
+  [[nodiscard]] std::vector<Warning> warnings() const override { return factorisation_warnings(solver_); }
 
  private:
-  /// Losses and gains [W], or their integrals [J], by Power.
-  using Powers = std::array<double, 4>;
-  enum Power : std::size_t { viscous, stabilisation, inlet, wall };
-
   [[nodiscard]] FlowDefinition definition() const;
   [[nodiscard]] double error_limit() const;
   [[nodiscard]] FlowBalance balance() const;
-  [[nodiscard]] double step_limit(double t_stop) const;
-  void refuse_collapsed_steps() const;
   [[nodiscard]] double courant_speed(double t) const;
-  [[nodiscard]] double last_step() const;
   [[nodiscard]] double phase_duration() const;
-  [[nodiscard]] SolverRow accepted(const StepReport& report, double dt);
-  void add_work(double dt);
-  [[nodiscard]] static Powers powers_of(const FlowBalance& b);
 
   Case case_;
   PrescribedMotion<double> motion_;
@@ -107,13 +72,10 @@ class DictatedFlow final : public FlowProblem {
   ToroidalMotion mesh_motion_;
   FlowSpace space_;
   FlowSolver solver_;
-  double error_limit_;  ///< of a step [m/s]
+  StepControl control_;
   OrificeProfile profile_;
   FlowBalance balance_;  ///< at time()
-  long steps_ = 0;
-  Powers powers_{};
-  Powers works_{};
-  double reduced_ = 1;  ///< of the step after failures, relative to what was wanted
+  EnergyAccount energies_;
 };
 
 FlowDefinition DictatedFlow::definition() const {
@@ -152,11 +114,6 @@ double DictatedFlow::error_limit() const {
   return case_.fem.error_tolerance * fastest;
 }
 
-double DictatedFlow::last_step() const {
-  const auto& levels = solver_.levels();
-  return levels.back().time - levels[levels.size() - 2].time;
-}
-
 double DictatedFlow::phase_duration() const {
   double duration = case_.solve.t_end;
   for (const auto& part : motion_.intervals(case_.solve.t_end)) {
@@ -165,100 +122,26 @@ double DictatedFlow::phase_duration() const {
   return duration;
 }
 
-/// The greater of the orifice's mean speed at a time and the present speeds along the axis, where a jet goes.
+/// The greater of the orifice's mean speed at a time and the present speeds along the axis.
 double DictatedFlow::courant_speed(double t) const {
   const double a = case_.parameters.orifice_radius;
   const auto state = motion_.at(t);
-  double speed = std::abs(cap_volume_rate(state.radius, a) * state.rate) / (pi * a * a);
-  for (const int node : space_.nodes_on(Side::axis)) {
-    speed = std::max(speed, std::abs(solver_.solution()[static_cast<std::size_t>(space_.velocity(node, 1))]));
-  }
-  return speed;
-}
-
-double DictatedFlow::step_limit(double t_stop) const {
-  if (case_.fem.time_step > 0) return case_.fem.time_step;
-  refuse_collapsed_steps();
-  const double longest = std::min(phase_duration() / steps_per_phase, t_stop - time());
-  const double start = steps_ == 0 ? first_step_part * longest : longest;
-  double dt = std::min(start, steps_ == 0 ? start : growth * last_step());
-  const double speed = courant_speed(time() + dt);
-  if (speed > 0) dt = std::min(dt, case_.fem.cfl * case_.parameters.orifice_radius / speed);
-  return dt;
-}
-
-/// @throws ComputationFailed when steps have become so short that the end is out of sight
-void DictatedFlow::refuse_collapsed_steps() const {
-  if (steps_ == 0) return;
-  constexpr double collapsed = 1e-4;
-  const double speed = courant_speed(time());
-  double wanted = phase_duration() / steps_per_phase;
-  if (speed > 0) wanted = std::min(wanted, case_.fem.cfl * case_.parameters.orifice_radius / speed);
-  if (last_step() > collapsed * wanted) return;
-  throw ComputationFailed("steps have shrunk to " + rounded(last_step(), 3) + " s, where fem.cfl allows " +
-                          rounded(wanted, 3) + " s; try a finer mesh, a smaller fem.cfl" +
-                          (case_.fem.error_tolerance > 0 ? ", or a greater fem.error_tolerance" : ""));
+  const double mean = std::abs(cap_volume_rate(state.radius, a) * state.rate) / (pi * a * a);
+  return std::max(mean, speed_on_axis(solver_));
 }
 
 SolverRow DictatedFlow::step(double t_stop) {
-  double dt = step_limit(t_stop) * reduced_;
-  for (int attempt = 0;; ++attempt) {
-    // equal steps to the stop, so that none is a sliver
-    const double parts = std::ceil((t_stop - time()) / dt * (1 - 1e-9));
-    const double before = time();
-    const double t = parts <= 1 ? t_stop : before + (t_stop - before) / parts;
-    std::string problem;
-    try {
-      const StepReport report = solver_.step_to(t, error_limit_);
-      if (report.accepted) return accepted(report, t - before);
-      problem = "the local error of velocity is " + rounded(report.error, 3) + " m/s, above the " +
-                rounded(error_limit_, 3) + " m/s of fem.error_tolerance";
-    } catch (const ComputationFailed& failure) {
-      problem = failure.what();
-    }
-    if (attempt == most_halvings || case_.fem.time_step > 0) {
-      throw ComputationFailed(problem + ", with a step of " + rounded(t - before, 3) + " s");
-    }
-    dt = (t - before) / 2;
-    reduced_ /= 2;
-  }
-}
-
-/// Books a step, and what it says about the next one.
-SolverRow DictatedFlow::accepted(const StepReport& report, double dt) {
-  ++steps_;
-  const bool slow = report.newton_iterations > many_iterations;
-  constexpr double near = 0.5;  // of the tolerance: the next step would miss it
-  const bool coarse = report.error > near * error_limit_;
-  if (case_.fem.time_step == 0) reduced_ = std::min(1.0, reduced_ * (slow || coarse ? 1 / growth : growth));
-  add_work(dt);
+  const double before = time();
+  SolverRow row = control_.take(solver_, t_stop);
+  balance_ = balance();
+  energies_.book(balance_, 0, time() - before);
   const auto motion = motion_.at(time());
-  if (motion.rate < 0 && motion.acceleration == 0) profile_.add(solver_.solution(), dt);
+  if (motion.rate < 0 && motion.acceleration == 0) profile_.add(solver_.solution(), time() - before);
   const double a = case_.parameters.orifice_radius;
   const double channel = pi * a * a * case_.parameters.channel_length;
-  return {.step = steps_,
-          .time = time(),
-          .dt = dt,
-          .cfl = courant_speed(time()) * dt / a,
-          .nonlinear_iterations = report.newton_iterations,
-          .linear_iterations = report.linear_iterations,
-          .factorisations = report.factorizations,
-          .residual = report.residual,
-          .min_jacobian = least_jacobian(solver_),
-          .volume_error = (balance_.volume - channel) / cap_volume(motion.radius, a) - 1};
-}
-
-DictatedFlow::Powers DictatedFlow::powers_of(const FlowBalance& b) {
-  return {b.viscous_loss, b.upwind_loss + b.grad_div_loss + b.penalty_loss, b.inlet_power + b.inlet_kinetic,
-          b.wall_power};
-}
-
-/// By the trapezoidal rule, as accurate as the steps.
-void DictatedFlow::add_work(double dt) {
-  balance_ = balance();
-  const Powers now = powers_of(balance_);
-  for (std::size_t i = 0; i < now.size(); ++i) works_[i] += dt / 2 * (powers_[i] + now[i]);
-  powers_ = now;
+  row.min_jacobian = least_jacobian(solver_);
+  row.volume_error = (balance_.volume - channel) / cap_volume(motion.radius, a) - 1;
+  return row;
 }
 
 FlowRow DictatedFlow::row() const {
@@ -276,58 +159,25 @@ FlowRow DictatedFlow::row() const {
           .volume = b.volume - pi * a * a * case_.parameters.channel_length,
           .area = b.area,
           .kinetic = b.kinetic_energy,
-          .viscous_power = powers_[viscous],
-          .viscous_work = works_[viscous],
-          .stabilisation_power = powers_[stabilisation],
-          .stabilisation_work = works_[stabilisation],
-          .inlet_power = powers_[inlet],
-          .inlet_work = works_[inlet],
-          .wall_power = powers_[wall],
-          .wall_work = works_[wall]};
-}
-
-std::vector<Warning> DictatedFlow::warnings() const {
-  const long failures = solver_.linear_solver().failures();
-  if (failures == 0) return {};
-  return {{"factorisation", "MUMPS failed to factorise " + std::to_string(failures) + " times; UMFPACK took over"}};
+          .viscous_power = energies_.power(EnergyAccount::viscous),
+          .viscous_work = energies_.work(EnergyAccount::viscous),
+          .stabilisation_power = energies_.power(EnergyAccount::stabilisation),
+          .stabilisation_work = energies_.work(EnergyAccount::stabilisation),
+          .inlet_power = energies_.power(EnergyAccount::inlet),
+          .inlet_work = energies_.work(EnergyAccount::inlet),
+          .wall_power = energies_.power(EnergyAccount::wall),
+          .wall_work = energies_.work(EnergyAccount::wall)};
 }
 
 void DictatedFlow::save(Checkpoint& checkpoint) {
-  solver_.forget_factors();  // so that going on and starting again give the same bits
-  checkpoint.times.clear();
-  for (std::size_t i = 0; i < solver_.levels().size(); ++i) {
-    checkpoint.times.push_back(solver_.levels()[i].time);
-    checkpoint.arrays["level " + std::to_string(i)] = solver_.levels()[i].unknowns;
-  }
-  checkpoint.arrays["powers"] = {powers_.begin(), powers_.end()};
-  checkpoint.arrays["works"] = {works_.begin(), works_.end()};
+  save_flow(solver_, control_, energies_, checkpoint);
   checkpoint.arrays["profile"] = profile_.sums();
-  checkpoint.arrays["reduced step"] = {reduced_};
 }
 
 void DictatedFlow::load(const Checkpoint& checkpoint) {
-  const auto array = [&](const std::string& name, std::size_t size) {
-    const auto found = checkpoint.arrays.find(name);
-    if (found == checkpoint.arrays.end() || found->second.size() != size) {
-      throw ComputationFailed("the checkpoint has no array \"" + name + "\" of " + std::to_string(size) +
-                              " numbers: it is of another version of turgor");
-    }
-    return found->second;
-  };
-  std::vector<FlowLevel> levels;
-  levels.reserve(checkpoint.times.size());
-  for (std::size_t i = 0; i < checkpoint.times.size(); ++i) {
-    levels.push_back(
-        {checkpoint.times[i], array("level " + std::to_string(i), static_cast<std::size_t>(space_.size()))});
-  }
-  if (levels.size() < 2) throw ComputationFailed("the checkpoint has too few time levels");
-  solver_.start(std::move(levels));
+  load_flow(checkpoint, solver_, control_, energies_);
   balance_ = balance();
-  std::ranges::copy(array("powers", powers_.size()), powers_.begin());
-  std::ranges::copy(array("works", works_.size()), works_.begin());
-  profile_.restore(array("profile", profile_.sums().size()));
-  reduced_ = array("reduced step", 1)[0];
-  steps_ = checkpoint.step;
+  profile_.restore(array_of(checkpoint, "profile", profile_.sums().size()));
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include "table_file.hpp"
 #include "turgor/base/errors.hpp"
 #include "turgor/base/text.hpp"
-#include "turgor/fem/flow_tables.hpp"
 
 namespace turgor {
 
@@ -66,6 +65,7 @@ FlowRunFolder::FlowRunFolder(fs::path path, const Case& c, EarlierRun earlier)
     : folder_(opened(std::move(path), earlier)),
       checkpoints_(folder_.path()),
       output_(c.output),
+      kind_(history_kind(c)),
       case_hash_(fingerprint(c.resolved)) {
   if (earlier == EarlierRun::resume) {
     resume(c);
@@ -117,11 +117,11 @@ void FlowRunFolder::open_tables(const Case& c) {
   const auto open = [&](const char* name, const std::string& header, std::uint64_t rows) {
     return std::make_unique<TableFile>(folder_.path() / name, header, existing, rows);
   };
-  history_ = open("history.csv", history_header(c.output), existing ? start_->history_rows : 0);
+  history_ = open("history.csv", history_header(c.output, kind_), existing ? start_->history_rows : 0);
   solver_ = open("solver.csv", solver_header(c.output), existing ? start_->solver_rows : 0);
 }
 
-void FlowRunFolder::append(const FlowRow& row) { history_->append(history_line(output_, row)); }
+void FlowRunFolder::append(const FlowRow& row) { history_->append(history_line(output_, kind_, row)); }
 
 void FlowRunFolder::append(const SolverRow& row) { solver_->append(solver_line(output_, row)); }
 

@@ -25,7 +25,12 @@ std::vector<bool> fixed_unknowns(const FlowSpace& space, const FlowDefinition& f
   fix(Side::axis, true, false);
   fix(Side::inlet, flow.tangential_zero, false);
   fix(Side::channel, true, !flow.slip);
-  fix(Side::wall, true, true);
+  if (!flow.wall) {
+    fix(Side::wall, true, true);
+    return fixed;
+  }
+  const int rim = flow.wall->nodes().front();
+  for (int c = 0; c < 2; ++c) fixed[index(space.velocity(rim, c))] = true;
   return fixed;
 }
 
@@ -56,13 +61,25 @@ FlowSolver::FlowSolver(const FlowSpace& space, FlowDefinition flow, FlowControls
   prepare_matrix();
   std::vector<double> rest(index(space.size()), 0.0);
   if (flow_.inlet_pressure) std::fill(rest.begin() + space.pressure(0), rest.end(), flow_.inlet_pressure(0));
-  start({{-1.0, rest}, {0.0, rest}});
+  FlowLevel now{0.0, std::move(rest)};
+  if (flow_.wall) {
+    now.positions = flow_.wall->start();
+    now.mesh_velocities.assign(now.positions.size(), 0.0);
+  }
+  FlowLevel before = now;
+  before.time = -1;
+  start({std::move(before), std::move(now)});
 }
 
 void FlowSolver::start(std::vector<FlowLevel> levels) {
   levels_ = std::move(levels);
   step_time_ = time();
-  move_mesh(step_time_);
+  if (flow_.wall) {
+    positions_ = levels_.back().positions;
+    mesh_velocities_ = levels_.back().mesh_velocities;
+  } else {
+    move_mesh(step_time_);
+  }
   // as if the present velocities stayed
   settings_ = {.density = flow_.density,
                .viscosity = flow_.viscosity,
@@ -94,6 +111,7 @@ SparsePattern FlowSolver::coupled_unknowns() const {
       for (int c = 0; c < 2; ++c) couple(space_.velocity(a, c), space_.velocity(b, c));
     }
   }
+  if (flow_.wall) couple_wall(rows);
   SparsePattern pattern;
   pattern.row_start.push_back(0);
   for (const auto& row : rows) {
@@ -101,6 +119,21 @@ SparsePattern FlowSolver::coupled_unknowns() const {
     pattern.row_start.push_back(static_cast<int>(pattern.columns.size()));
   }
   return pattern;
+}
+
+/// Bending couples the nodes of two elements.
+void FlowSolver::couple_wall(std::vector<std::set<int>>& rows) const {
+  constexpr std::size_t reach = 4;
+  const std::vector<int>& wall = flow_.wall->nodes();
+  for (std::size_t i = 0; i < wall.size(); ++i) {
+    for (std::size_t j = i < reach ? 0 : i - reach; j < std::min(wall.size(), i + reach + 1); ++j) {
+      for (const int a : {space_.velocity(wall[i], 0), space_.velocity(wall[i], 1)}) {
+        for (const int b : {space_.velocity(wall[j], 0), space_.velocity(wall[j], 1)}) {
+          if (!fixed_[index(a)] && !fixed_[index(b)]) rows[index(a)].insert(b);
+        }
+      }
+    }
+  }
 }
 
 void FlowSolver::prepare_matrix() {
@@ -137,6 +170,48 @@ void FlowSolver::move_mesh(double t) {
   }
 }
 
+FlexibleWall::Motion FlowSolver::wall_motion(const std::vector<double>& unknowns) const {
+  const std::vector<int>& wall = flow_.wall->nodes();
+  const auto size = static_cast<Eigen::Index>(2 * wall.size());
+  FlexibleWall::Motion motion{Eigen::VectorXd(size), Eigen::VectorXd(size), Eigen::VectorXd(size),
+                              1 / settings_.rate_factor, settings_.rate_factor};
+  for (std::size_t k = 0; k < wall.size(); ++k) {
+    for (std::size_t c = 0; c < 2; ++c) {
+      const std::size_t from = 2 * index(wall[k]) + c;
+      const auto to = static_cast<Eigen::Index>(2 * k + c);
+      motion.velocity[to] = unknowns[from];
+      motion.places[to] = (unknowns[from] - trail_[from]) / settings_.rate_factor;
+      motion.acceleration[to] = settings_.rate_factor * unknowns[from] + history_[from];
+    }
+  }
+  return motion;
+}
+
+void FlowSolver::follow_wall(const std::vector<double>& unknowns) {
+  positions_ = flow_.wall->mesh(wall_motion(unknowns).places);
+  for (std::size_t i = 0; i < positions_.size(); ++i) {
+    mesh_velocities_[i] = settings_.rate_factor * positions_[i] + trail_[i];
+  }
+}
+
+/// The wall's momentum is that of its nodes' liquid too.
+void FlowSolver::add_wall(const std::vector<double>& unknowns, std::vector<double>& residual) {
+  const FlexibleWall::Resistance wall = flow_.wall->resistance(wall_motion(unknowns));
+  const std::vector<int>& nodes = flow_.wall->nodes();
+  const auto unknown = [&](Eigen::Index i) {
+    return space_.velocity(nodes[static_cast<std::size_t>(i / 2)], static_cast<int>(i % 2));
+  };
+  for (Eigen::Index i = 0; i < wall.force.size(); ++i) residual[index(unknown(i))] += wall.force[i];
+  std::vector<double>& matrix = linear_->values();
+  for (Eigen::Index k = 0; k < wall.tangent.outerSize(); ++k) {
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(wall.tangent, k); entry; ++entry) {
+      const int i = unknown(entry.row());
+      const int j = unknown(entry.col());
+      if (!fixed_[index(i)] && !fixed_[index(j)]) matrix[index(linear_->pattern().find(i, j))] += entry.value();
+    }
+  }
+}
+
 void FlowSolver::impose_velocities(double t, std::vector<double>& unknowns) const {
   const auto impose = [&](int node, int component, double value) {
     const std::size_t i = index(space_.velocity(node, component));
@@ -149,6 +224,7 @@ void FlowSolver::impose_velocities(double t, std::vector<double>& unknowns) cons
     for (int c = 0; c < 2; ++c) impose(node, c, u[index(c)]);
   }
   for (const int node : space_.nodes_on(Side::wall)) {
+    if (flow_.wall) continue;
     const Point2 mesh{mesh_velocities_[2 * index(node)], mesh_velocities_[2 * index(node) + 1]};
     const Point2 u = flow_.wall_velocity ? flow_.wall_velocity(place(node), t) : mesh;
     for (int c = 0; c < 2; ++c) impose(node, c, u[index(c)]);
@@ -260,8 +336,16 @@ void FlowSolver::prepare_step(double t) {
   for (std::size_t i = 0; i < history_.size(); ++i) {
     history_[i] = formula.rate[1] * last.unknowns[i] + formula.rate[2] * before.unknowns[i];
   }
-  move_mesh(step_time_);
   frozen_ = extrapolated(step_time_);
+  if (flow_.wall) {
+    trail_.resize(positions_.size());
+    for (std::size_t i = 0; i < trail_.size(); ++i) {
+      trail_[i] = formula.rate[1] * last.positions[i] + formula.rate[2] * before.positions[i];
+    }
+    follow_wall(frozen_);
+  } else {
+    move_mesh(step_time_);
+  }
   impose_velocities(step_time_, frozen_);
 }
 
@@ -288,6 +372,7 @@ void FlowSolver::iterate(std::vector<double>& unknowns, std::vector<double>& res
                          StepReport& report) {
   report.least_jacobian = assemble(unknowns, residual, true);
   if (!(report.least_jacobian > 0)) throw ComputationFailed("a cell of the mesh is inverted");
+  if (flow_.wall) add_wall(unknowns, residual);
   for (std::size_t i = 0; i < residual.size(); ++i) residual[i] = fixed_[i] ? 0.0 : -residual[i];
   const LinearReport linear = linear_->solve(residual, update, controls_.linear_tolerance);
   report.linear_iterations += linear.iterations;
@@ -295,7 +380,7 @@ void FlowSolver::iterate(std::vector<double>& unknowns, std::vector<double>& res
   report.residual = linear.residual;
   const auto velocities = index(2 * space_.node_count());
   double change = 0;
-  double size = 1e-300;
+  double size = 1e-300 + space_.node_count() * controls_.least_velocity * controls_.least_velocity;
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
     unknowns[i] += update[i];
     if (i >= velocities) continue;
@@ -303,6 +388,7 @@ void FlowSolver::iterate(std::vector<double>& unknowns, std::vector<double>& res
     size += unknowns[i] * unknowns[i];
   }
   if (!std::isfinite(change)) throw ComputationFailed("velocities are not finite");
+  if (flow_.wall) follow_wall(unknowns);
   report.newton_iterations += 1;
   report.last_update = std::sqrt(change / size);
 }
@@ -335,24 +421,35 @@ double FlowSolver::local_error(const std::vector<double>& unknowns) const {
 
 StepReport FlowSolver::step_to(double t, double error_limit) {
   StepReport report;
-  prepare_step(t);
-  std::vector<double> unknowns = frozen_;
+  const std::vector<double> places = positions_;
+  const std::vector<double> velocities = mesh_velocities_;
+  const auto go_back = [&] {
+    positions_ = places;
+    mesh_velocities_ = velocities;
+  };
+  std::vector<double> unknowns;
   try {
+    prepare_step(t);
+    unknowns = frozen_;
     solve_step(unknowns, report);
+    if (!(assemble(unknowns, reactions_, false) > 0)) throw ComputationFailed("a cell of the mesh is inverted");
   } catch (const ComputationFailed&) {
     linear_->discard_factors();
-    move_mesh(time());
+    go_back();
     throw;
   }
   report.error = local_error(unknowns);
   report.accepted = report.error <= error_limit;
   if (!report.accepted) {
-    move_mesh(time());
+    go_back();
     return report;
   }
-  assemble(unknowns, reactions_, false);
   if (levels_.size() > 2) levels_.erase(levels_.begin());
   levels_.push_back({step_time_, std::move(unknowns)});
+  if (flow_.wall) {
+    levels_.back().positions = positions_;
+    levels_.back().mesh_velocities = mesh_velocities_;
+  }
   return report;
 }
 

@@ -45,37 +45,53 @@ std::string line_of(const std::vector<TableColumn<Row>>& columns, const Row& row
 
 }  // namespace
 
-std::vector<TableColumn<FlowRow>> history_columns(const OutputSettings& o) {
+HistoryKind history_kind(const Case& c) { return c.motion ? HistoryKind::dictated : HistoryKind::coupled; }
+
+std::vector<TableColumn<FlowRow>> history_columns(const OutputSettings& o, HistoryKind kind) {
   const double s = unit_factor(o.time_unit, "s");
   const double m = unit_factor(o.length_unit, "m");
   const double j = unit_factor(o.energy_unit, "J");
   const std::string speed = o.length_unit + "/" + o.time_unit;
   const std::string power = o.energy_unit + "/" + o.time_unit;
-  return {{"t", o.time_unit, s, &FlowRow::time},
-          {"p_gauge", o.pressure_unit, unit_factor(o.pressure_unit, "Pa"), &FlowRow::gauge_pressure},
-          {"r", o.length_unit, m, &FlowRow::radius},
-          {"drdt", speed, m / s, &FlowRow::rate},
-          {"d2rdt2", speed + "^2", m / s / s, &FlowRow::acceleration},
-          {"force", "N", 1, &FlowRow::force},
-          {"force_mode", "N", 1, &FlowRow::force_mode},
-          {"flow_rate", o.flow_unit, unit_factor(o.flow_unit, "m^3/s"), &FlowRow::flow_rate},
-          {"volume", o.volume_unit, unit_factor(o.volume_unit, "m^3"), &FlowRow::volume},
-          {"area", o.length_unit + "^2", m * m, &FlowRow::area},
-          {"kinetic", o.energy_unit, j, &FlowRow::kinetic},
-          {"viscous_power", power, j / s, &FlowRow::viscous_power},
-          {"stabilisation_power", power, j / s, &FlowRow::stabilisation_power},
-          {"inlet_power", power, j / s, &FlowRow::inlet_power},
-          {"wall_power", power, j / s, &FlowRow::wall_power},
-          {"viscous_work", o.energy_unit, j, &FlowRow::viscous_work},
-          {"stabilisation_work", o.energy_unit, j, &FlowRow::stabilisation_work},
-          {"inlet_work", o.energy_unit, j, &FlowRow::inlet_work},
-          {"wall_work", o.energy_unit, j, &FlowRow::wall_work}};
+  const bool coupled = kind == HistoryKind::coupled;
+  std::vector<TableColumn<FlowRow>> all{
+      {"t", o.time_unit, s, &FlowRow::time},
+      {"p_gauge", o.pressure_unit, unit_factor(o.pressure_unit, "Pa"), &FlowRow::gauge_pressure},
+      {coupled ? "r_eff" : "r", o.length_unit, m, &FlowRow::radius},
+      {coupled ? "dr_effdt" : "drdt", speed, m / s, &FlowRow::rate}};
+  const auto add = [&](bool wanted, TableColumn<FlowRow> column) {
+    if (wanted) all.push_back(std::move(column));
+  };
+  add(!coupled, {"d2rdt2", speed + "^2", m / s / s, &FlowRow::acceleration});
+  add(coupled, {"z_top", o.length_unit, m, &FlowRow::top});
+  add(coupled, {"r_max", o.length_unit, m, &FlowRow::greatest_radius});
+  add(true, {"force", "N", 1, &FlowRow::force});
+  add(!coupled, {"force_mode", "N", 1, &FlowRow::force_mode});
+  add(true, {"flow_rate", o.flow_unit, unit_factor(o.flow_unit, "m^3/s"), &FlowRow::flow_rate});
+  add(true, {"volume", o.volume_unit, unit_factor(o.volume_unit, "m^3"), &FlowRow::volume});
+  add(true, {"area", o.length_unit + "^2", m * m, &FlowRow::area});
+  add(true, {"kinetic", o.energy_unit, j, &FlowRow::kinetic});
+  add(coupled, {"wall_kinetic", o.energy_unit, j, &FlowRow::wall_kinetic});
+  add(coupled, {"elastic", o.energy_unit, j, &FlowRow::elastic});
+  add(true, {"viscous_power", power, j / s, &FlowRow::viscous_power});
+  add(true, {"stabilisation_power", power, j / s, &FlowRow::stabilisation_power});
+  add(coupled, {"damping_power", power, j / s, &FlowRow::damping_power});
+  add(true, {"inlet_power", power, j / s, &FlowRow::inlet_power});
+  add(true, {"wall_power", power, j / s, &FlowRow::wall_power});
+  add(true, {"viscous_work", o.energy_unit, j, &FlowRow::viscous_work});
+  add(true, {"stabilisation_work", o.energy_unit, j, &FlowRow::stabilisation_work});
+  add(coupled, {"damping_work", o.energy_unit, j, &FlowRow::damping_work});
+  add(true, {"inlet_work", o.energy_unit, j, &FlowRow::inlet_work});
+  add(true, {"wall_work", o.energy_unit, j, &FlowRow::wall_work});
+  return all;
 }
 
-std::string history_header(const OutputSettings& output) { return header_of(history_columns(output)); }
+std::string history_header(const OutputSettings& output, HistoryKind kind) {
+  return header_of(history_columns(output, kind));
+}
 
-std::string history_line(const OutputSettings& output, const FlowRow& row) {
-  return line_of(history_columns(output), row);
+std::string history_line(const OutputSettings& output, HistoryKind kind, const FlowRow& row) {
+  return line_of(history_columns(output, kind), row);
 }
 
 std::string solver_header(const OutputSettings& output) {

@@ -27,6 +27,19 @@ std::vector<double> field_times(const Case& c) {
   return times;
 }
 
+/// Where the program of the motion, or of the pressure, changes.
+std::vector<double> knots(const Case& c) {
+  std::vector<double> times;
+  if (c.motion) {
+    for (const auto& interval : c.motion->intervals(c.solve.t_end)) times.push_back(interval.end);
+  } else {
+    for (const double t : c.pressure.knots()) {
+      if (t > 0 && t < c.solve.t_end) times.push_back(t);
+    }
+  }
+  return times;
+}
+
 }  // namespace
 
 std::vector<FlowStop> flow_stops(const Case& c) {
@@ -34,7 +47,7 @@ std::vector<FlowStop> flow_stops(const Case& c) {
   std::vector<FlowStop> all;
   for (const double t : requested_times(c.solve)) all.push_back({t, true, false});
   for (const double t : field_times(c)) all.push_back({t, false, true});
-  for (const auto& interval : dictated_motion(c).intervals(c.solve.t_end)) all.push_back({interval.end, false, false});
+  for (const double t : knots(c)) all.push_back({t, false, false});
   const double same = 1e-12 * c.solve.t_end;
   std::vector<FlowStop> stops;
   for (const FlowStop& stop : all) {
@@ -71,6 +84,8 @@ class FlowRun {
     }
     result_.size = problem_.size();
     result_.time = problem_.time();
+    result_.radius = problem_.row().radius;
+    result_.rate = problem_.row().rate;
     result_.wall_seconds = spent();
     if (const auto points = problem_.outflow(); !points.empty()) folder_.write_profile(points);
     std::ranges::copy(problem_.warnings(), std::back_inserter(result_.warnings));
@@ -132,7 +147,7 @@ class FlowRun {
     const VtuGrid field = problem_.fields();
     const std::string name = folder_.add_field(problem_.time(), field);
     if (!options_.pictures || !pictures_work_) return;
-    const auto state = dictated_motion(case_).at(problem_.time());
+    const FlowRow state = problem_.row();
     const std::string subtitle = "t = " + rounded(problem_.time(), 5) + " s, r = " + rounded(state.radius, 5) +
                                  " m, dr/dt = " + rounded(state.rate, 4) + " m/s";
     const std::string problem =
@@ -173,7 +188,7 @@ class FlowRun {
   /// Says where it ended. The last accepted state is kept, as a checkpoint and as a field, if its rows are written.
   void fail(const std::string& reason) {
     result_.status = "failed";
-    const auto state = dictated_motion(case_).at(problem_.time());
+    const FlowRow state = problem_.row();
     result_.message = "stopped at t = " + rounded(problem_.time(), 8) + " s (r = " + rounded(state.radius, 6) +
                       " m, dr/dt = " + rounded(state.rate, 4) + " m/s) after " + std::to_string(result_.steps) +
                       " steps: " + reason;

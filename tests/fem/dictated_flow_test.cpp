@@ -153,7 +153,7 @@ TEST(DictatedFlow, GoesOnFromACheckpointToTheSameBits) {
     EXPECT_EQ(whole->row().force, resumed->row().force);
     EXPECT_EQ(whole->row().wall_work, resumed->row().wall_work);
   }
-  checkpoint.arrays.erase("works");
+  checkpoint.arrays.erase("powers and works");
   EXPECT_THROW(make_dictated_flow(c)->load(checkpoint), ComputationFailed);
 }
 

@@ -31,6 +31,14 @@ struct FlowRow {
   double stabilisation_power, stabilisation_work;  ///< dissipated by the discretisation [W], [J]
   double inlet_power, inlet_work;                  ///< through the inlet, pressure and kinetic energy [W], [J]
   double wall_power, wall_work;                    ///< of the moving wall on the liquid [W], [J]
+  // Where the wall is elastic; the radius is then that of a sphere with the area of wall and orifice, and neither
+  // `acceleration` nor `force_mode` has a meaning.
+  double top = 0;              ///< height of the pole over the orifice [m]
+  double greatest_radius = 0;  ///< distance of the wall from the axis [m]
+  double elastic = 0;          ///< energy of the wall [J]
+  double wall_kinetic = 0;     ///< [J]
+  double damping_power = 0;    ///< dissipated in the wall [W]
+  double damping_work = 0;     ///< [J]
 };
 
 /// How one accepted step went.

@@ -8,6 +8,7 @@
 
 #include "turgor/fem/checkpoint.hpp"
 #include "turgor/fem/flow_problem.hpp"
+#include "turgor/fem/flow_tables.hpp"
 #include "turgor/run/result_folder.hpp"
 
 namespace turgor {
@@ -62,6 +63,7 @@ class FlowRunFolder {
   ResultFolder folder_;
   CheckpointFiles checkpoints_;
   OutputSettings output_;
+  HistoryKind kind_;
   std::uint64_t case_hash_;
   std::optional<Checkpoint> start_;
   std::string warning_;

@@ -5,8 +5,10 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <set>
 #include <vector>
 
+#include "turgor/fem/flexible_wall.hpp"
 #include "turgor/fem/flow_cell.hpp"
 #include "turgor/fem/flow_space.hpp"
 #include "turgor/fem/linear_solver.hpp"
@@ -19,6 +21,8 @@ namespace turgor {
 struct FlowDefinition {
   double density = 1000;      ///< [kg/m^3]
   double viscosity = 8.9e-4;  ///< dynamic [Pa s]
+  /// Given: the wall moves with the liquid, and position and mesh_velocity mean nothing.
+  std::shared_ptr<const FlexibleWall> wall;
   std::function<Point2(const Point2& X, double t)> position;
   std::function<Point2(const Point2& X, double t)> mesh_velocity;  ///< [m/s]; on the wall also the liquid's
   std::function<double(double t)> inlet_pressure;                  ///< gauge [Pa]
@@ -38,6 +42,7 @@ struct FlowControls {
   /// Of Newton's method: error of velocity that it leaves by the rate of its changes, relative, as root mean squares
   /// over the nodes.
   double update_tolerance = 1e-5;
+  double least_velocity = 0;  ///< [m/s], root mean square: changes relative to less would be of rounding
   double linear_tolerance = 1e-2;  ///< of a linear system's residual; what Newton gains by an iteration at most
   int max_newton = 12;
 };
@@ -60,6 +65,9 @@ struct StepReport {
 struct FlowLevel {
   double time = 0;               ///< [s]
   std::vector<double> unknowns;  ///< as FlowSpace numbers them
+  // Of the mesh's nodes, (r, z) interleaved; only where the wall is flexible.
+  std::vector<double> positions{};        ///< [m]
+  std::vector<double> mesh_velocities{};  ///< [m/s]
 };
 
 class FlowSolver {
@@ -99,6 +107,11 @@ class FlowSolver {
 
  private:
   void move_mesh(double t);
+  /// The mesh where wall velocities among the unknowns take it at the end of the step.
+  void follow_wall(const std::vector<double>& unknowns);
+  void add_wall(const std::vector<double>& unknowns, std::vector<double>& residual);
+  void couple_wall(std::vector<std::set<int>>& rows) const;
+  [[nodiscard]] FlexibleWall::Motion wall_motion(const std::vector<double>& unknowns) const;
   void impose_velocities(double t, std::vector<double>& unknowns) const;
   [[nodiscard]] std::vector<double> extrapolated(double t) const;
   [[nodiscard]] double local_error(const std::vector<double>& unknowns) const;
@@ -129,6 +142,7 @@ class FlowSolver {
   double step_time_ = 0;         ///< end of the step [s]
   CellSettings settings_{};      ///< of the step
   std::vector<double> history_;  ///< du/dt = settings_.rate_factor u + history_, of each velocity
+  std::vector<double> trail_;    ///< the same of the mesh's places, where the wall is flexible
   std::vector<double> frozen_;
 };
 

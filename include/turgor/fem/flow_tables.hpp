@@ -17,11 +17,15 @@ struct TableColumn {
   double Row::* value;
 };
 
+/// Whose radius: dictated by the case, or that of an elastic wall.
+enum class HistoryKind { dictated, coupled };
+[[nodiscard]] HistoryKind history_kind(const Case& c);
+
 /// The columns of history.csv.
-[[nodiscard]] std::vector<TableColumn<FlowRow>> history_columns(const OutputSettings& output);
-[[nodiscard]] std::string history_header(const OutputSettings& output);
+[[nodiscard]] std::vector<TableColumn<FlowRow>> history_columns(const OutputSettings& output, HistoryKind kind);
+[[nodiscard]] std::string history_header(const OutputSettings& output, HistoryKind kind);
 /// @throws ComputationFailed, naming the column, when a number is not finite
-[[nodiscard]] std::string history_line(const OutputSettings& output, const FlowRow& row);
+[[nodiscard]] std::string history_line(const OutputSettings& output, HistoryKind kind, const FlowRow& row);
 
 [[nodiscard]] std::string solver_header(const OutputSettings& output);
 /// @throws ComputationFailed, naming the column, when a number is not finite

@@ -35,6 +35,7 @@ struct FlowRunResult {
   FlowSize size;
   long steps;                                                    ///< all of them, those before a resumption included
   double time;                                                   ///< reached [s]
+  double radius, rate;                                           ///< then [m], [m/s]
   double wall_seconds;                                           ///< all of them
   long nonlinear_iterations, linear_iterations, factorisations;  ///< since the start or the resumption
   std::vector<Warning> warnings;
