@@ -43,7 +43,7 @@ struct FlowControls {
   /// over the nodes.
   double update_tolerance = 1e-5;
   double least_velocity = 0;  ///< [m/s], root mean square: changes relative to less would be of rounding
-  double linear_tolerance = 1e-2;  ///< of a linear system's residual; what Newton gains by an iteration at most
+  double linear_tolerance = 1e-3;  ///< of a linear system's residual; what Newton gains by an iteration at most
   int max_newton = 12;
 };
 
