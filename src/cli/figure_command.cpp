@@ -49,15 +49,15 @@ fs::path cases_folder(const std::string& given) {
 
 fs::path fem_folder(const FigureArguments& arguments) {
   if (arguments.fem.empty()) return {};
-  if (arguments.name != "3" && arguments.name != "all") {
+  const std::vector<std::string> showing{"3", "4", "6", "all"};
+  if (std::ranges::find(showing, arguments.name) == showing.end()) {
     throw InvalidInput("--fem", "\"" + arguments.fem + "\"", "figure " + arguments.name + " shows no finite elements",
-                       "figure 3 does");
+                       "figures 3, 4 and 6 do");
   }
   std::error_code error;
   if (fs::is_directory(arguments.fem, error)) return arguments.fem;
-  throw InvalidInput(
-      "--fem", "\"" + arguments.fem + "\"", "is not a folder",
-      "name the folder that holds run directories of `turgor fem flow`, such as motion-orifice-30mm.fem");
+  throw InvalidInput("--fem", "\"" + arguments.fem + "\"", "is not a folder",
+                     "name the folder that holds run directories of `turgor fem`, such as motion-orifice-30mm.fem");
 }
 
 /// As make_figure(), but of several figures one that fails does not end the others.
@@ -95,8 +95,10 @@ CLI::App* add_figure(CLI::App& app, FigureArguments& arguments) {
   command->add_option("--cases", arguments.cases, "folder of the case files; default: those that ship with turgor")
       ->type_name("DIR");
   command
-      ->add_option("--fem", arguments.fem,
-                   "folder of run directories of `turgor fem flow`, named CASE.fem, that figure 3 shows too")
+      ->add_option(
+          "--fem", arguments.fem,
+          "folder of run directories, named CASE.fem, of `turgor fem flow` for figure 3, `turgor fem fsi` for 4 and 6, "
+          "that they show too")
       ->type_name("DIR");
   command->add_flag("--json", arguments.json, "print one JSON document and nothing else");
   command->add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");

@@ -1,10 +1,11 @@
-// turgor verify: the closures against finite elements.
+// turgor verify: the model against finite elements.
 
 #include <filesystem>
 #include <iostream>
 
 #include "commands.hpp"
 #include "turgor/base/errors.hpp"
+#include "turgor/run/response_verification.hpp"
 #include "turgor/run/result_folder.hpp"
 #include "turgor/run/verification.hpp"
 #include "turgor/view/verification_picture.hpp"
@@ -24,8 +25,9 @@ std::string shell_word(const std::string& word) {
 }
 
 /// The command that computes what is missing, where this turgor can.
-std::string how_to_compute(const VerifyArguments& arguments, const fs::path& folder) {
-  std::string command = "turgor fem flow " + shell_word(arguments.input.file) + " -o " + shell_word(folder.string());
+std::string how_to_compute(const VerifyArguments& arguments, const Case& c, const fs::path& folder) {
+  std::string command = std::string("turgor fem ") + (c.motion ? "flow " : "fsi ") + shell_word(arguments.input.file) +
+                        " -o " + shell_word(folder.string());
   for (const std::string& override : arguments.input.overrides) command += " --set " + shell_word(override);
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path() / "turgor-fem";
@@ -38,7 +40,7 @@ fs::path fem_folder(const VerifyArguments& arguments, const Case& c) {
   std::error_code error;
   if (fs::is_directory(folder, error)) return folder;
   throw InvalidInput("--fem", "\"" + folder.string() + "\"", "there is no such folder of finite elements",
-                     how_to_compute(arguments, folder));
+                     how_to_compute(arguments, c, folder));
 }
 
 ResultFolder result_folder(const VerifyArguments& arguments, const Case& c, const fs::path& fem) {
@@ -53,26 +55,9 @@ ResultFolder result_folder(const VerifyArguments& arguments, const Case& c, cons
           arguments.results.force};
 }
 
-}  // namespace
-
-CLI::App* add_verify(CLI::App& app, VerifyArguments& arguments) {
-  CLI::App* command = app.add_subcommand(
-      "verify", "the forces of all closures against those of finite elements, under the motion that a case dictates");
-  add_case(*command, arguments.input);
-  command
-      ->add_option("--fem", arguments.fem,
-                   "run directory of `turgor fem flow`; default: the case file's name with .fem, in the current folder")
-      ->type_name("DIR");
-  add_results(*command, arguments.results, "the case file's name with .verify, in the current folder");
-  command->add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
-  return command;
-}
-
-int verify_case(const VerifyArguments& arguments) {
-  const Case c = read_case(arguments.input.file, arguments.input.overrides);
-  (void)dictated_motion(c);
-  const fs::path fem = fem_folder(arguments, c);
-  const Verification verification = verify(c, read_fem_history(c, fem));
+/// Writes, draws and prints either kind of verification.
+template <class AnyVerification>
+void report(const VerifyArguments& arguments, const Case& c, const fs::path& fem, const AnyVerification& verification) {
   const ResultFolder folder = result_folder(arguments, c, fem);
   folder.write_first("case.toml", c.source);
   folder.write("resolved.toml", c.resolved);
@@ -87,6 +72,34 @@ int verify_case(const VerifyArguments& arguments) {
     std::cout << verification_summary(c, verification) << "  written to " << folder.path().string() << "\n";
   }
   if (!problem.empty() && !arguments.quiet) std::cerr << "warning: " << problem << "\n";
+}
+
+}  // namespace
+
+CLI::App* add_verify(CLI::App& app, VerifyArguments& arguments) {
+  CLI::App* command = app.add_subcommand(
+      "verify",
+      "the model against finite elements: the forces of all closures under the motion that a case dictates, or, "
+      "without a [motion] table, the radius of the elastic balloon");
+  add_case(*command, arguments.input);
+  command
+      ->add_option("--fem", arguments.fem,
+                   "run directory of `turgor fem flow`, or fsi without a [motion] table; default: the case file's name "
+                   "with .fem, in the current folder")
+      ->type_name("DIR");
+  add_results(*command, arguments.results, "the case file's name with .verify, in the current folder");
+  command->add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
+  return command;
+}
+
+int verify_case(const VerifyArguments& arguments) {
+  const Case c = read_case(arguments.input.file, arguments.input.overrides);
+  const fs::path fem = fem_folder(arguments, c);
+  if (c.motion) {
+    report(arguments, c, fem, verify(c, read_fem_history(c, fem)));
+  } else {
+    report(arguments, c, fem, verify_response(c, read_fem_response(c, fem)));
+  }
   return exit_done;
 }
 

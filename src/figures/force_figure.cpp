@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "../view/force_curves.hpp"
+#include "fem_runs.hpp"
 #include "makers.hpp"
 #include "turgor/base/text.hpp"
 #include "turgor/case/units.hpp"
-#include "turgor/run/fem_history.hpp"
 #include "turgor/run/force_history.hpp"
 
 namespace turgor {
@@ -57,31 +57,6 @@ double greatest_force(const Case& c) {
 }
 
 using FemHistories = std::vector<std::optional<FemHistory>>;
-
-/// What finite elements have of each case, in the folders that `turgor fem flow` would give them.
-FemHistories fem_histories(Studio& studio, const std::vector<Case>& cases) {
-  FemHistories histories(cases.size());
-  if (studio.fem().empty()) return histories;
-  std::string missing;
-  std::string partial;
-  const auto list = [](std::string& names, const std::string& name) {
-    names += (names.empty() ? "`" : ", `") + name + "`";
-  };
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    const std::string name = cases[i].file.stem().string() + ".fem";
-    std::error_code error;
-    if (!std::filesystem::is_directory(studio.fem() / name, error)) {
-      list(missing, name);
-      continue;
-    }
-    histories[i] = read_fem_history(cases[i], studio.fem() / name);
-    if (!histories[i]->warnings.empty()) list(partial, name);
-  }
-  studio.say("Solid black: finite elements.");
-  if (!missing.empty()) studio.say("There are none of " + missing + ".");
-  if (!partial.empty()) studio.say("Not complete: " + partial + ".");
-  return histories;
-}
 
 /// A column of the picture: one size of the orifice.
 class Column {
@@ -145,7 +120,7 @@ void make_force_figure(Studio& studio) {
   for (const std::string& name : studio.cases()) cases.push_back(studio.read(name));
   studio.table("figure-3", histories(cases));
   studio.table("figure-3-peaks", peaks(cases));
-  const FemHistories fem = fem_histories(studio, cases);
+  const FemHistories fem = fem_runs(studio, cases, &read_fem_history, "Solid black");
   std::string data;
   std::string commands =
       "set multiplot\nset xzeroaxis lt 1 lc rgb 'grey60'\nset tics font ',12'\nunset key\nset autoscale noextend\n";

@@ -1,6 +1,7 @@
 // Figures 4 and 6: balloons that are filled and emptied by one pressure program through openings of several sizes.
 
 #include "../view/curves.hpp"
+#include "fem_runs.hpp"
 #include "makers.hpp"
 #include "turgor/base/errors.hpp"
 #include "turgor/base/text.hpp"
@@ -33,17 +34,31 @@ void add_rows(Table& table, const Response& response) {
   }
 }
 
+/// R as r_eff/r0.
+void add_rows(Table& table, const Case& c, const FemResponse& fem) {
+  const double r0 = c.parameters.radius;
+  for (const FemRadius& row : fem.rows) {
+    table.add({c.parameters.orifice_radius, c.parameters.channel_length, std::string("finite elements"), row.time,
+               row.radius / r0, row.rate / r0, row.gauge_pressure});
+  }
+}
+
 Curve curve_of(const Response& response) {
   return stretch_curve(*response.run.trajectory, {}, response.run.oscillator->scales().time);
 }
 
-std::string equation_of(Model model) {
-  switch (model) {
-    case Model::full: return "(2.22)";
-    case Model::orifice: return "(2.23)";
-    case Model::long_channel: return "(2.25)";
+/// r_eff/r0 of every run that there is. Not in black as elsewhere, which the darkest tone comes too close to.
+void add_finite_elements(Plot& plot, const std::vector<Case>& cases,
+                         const std::vector<std::optional<FemResponse>>& fem) {
+  bool first = true;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (!fem[i]) continue;
+    Curve curve;
+    for (const FemRadius& row : fem[i]->rows)
+      curve.push_back({row.time, row.radius / cases[i].parameters.radius, false});
+    plot.add("fem" + std::to_string(i), curve, line_style(vermilion, first ? "finite elements" : ""));
+    first = false;
   }
-  return "";
 }
 
 /// R(t) of all balloons, by their own equation and by the complete one.
@@ -51,8 +66,9 @@ Plot stretch_plot(const std::vector<Response>& own, const std::vector<Response>&
   Plot plot;
   for (std::size_t i = 0; i < own.size(); ++i) {
     const std::string size = rounded(own[i].of.parameters.orifice_radius * 100, 3) + " cm, ";
-    plot.add("own" + std::to_string(i), curve_of(own[i]),
-             line_style(tone(i, own.size()), "r_{ch} = " + size + equation_of(own[i].run.oscillator->model())));
+    plot.add(
+        "own" + std::to_string(i), curve_of(own[i]),
+        line_style(tone(i, own.size()), "r_{ch} = " + size + std::string(equation_of(own[i].run.oscillator->model()))));
   }
   for (std::size_t i = 0; i < complete.size(); ++i) {
     plot.add(
@@ -75,6 +91,12 @@ void make_response_figure(Studio& studio) {
     add_rows(table, own.back());
     add_rows(table, complete.back());
   }
+  std::vector<Case> cases;
+  for (const Response& response : own) cases.push_back(response.of);
+  const std::vector<std::optional<FemResponse>> fem = fem_runs(studio, cases, &read_fem_response, "Vermilion");
+  for (std::size_t i = 0; i < fem.size(); ++i) {
+    if (fem[i]) add_rows(table, cases[i], *fem[i]);
+  }
   studio.table(name, table);
 
   const Case& c = own.front().of;  // all have one program
@@ -82,7 +104,8 @@ void make_response_figure(Studio& studio) {
   const Curve pressures = pressure_curve(c, 1, kPa);
   Plot pressure;
   pressure.add("pressure", pressures, line_style("black", ""));
-  const Plot stretch = stretch_plot(own, complete);
+  Plot stretch = stretch_plot(own, complete);
+  add_finite_elements(stretch, cases, fem);
   std::string commands = "set multiplot\nset xrange [0:" + rounded(c.solve.t_end, 10) + "]\n";
   commands += panel(0.1, 0.97, 0.36, 0.97) + "set ylabel 'stretch R = r/r_0 [1]' offset 1\nset format x ''\n";
   commands += "set key top right\nset autoscale noextend\nset offsets 0,0,graph 0.06,graph 0.06\n";

@@ -14,6 +14,15 @@ std::string_view name_of(Model model) {
   return "";
 }
 
+std::string_view equation_of(Model model) {
+  switch (model) {
+    case Model::full: return "(2.22)";
+    case Model::orifice: return "(2.23)";
+    case Model::long_channel: return "(2.25)";
+  }
+  return "";
+}
+
 std::string_view name_of(Closure closure) {
   switch (closure) {
     case Closure::theoretical: return "theoretical";

@@ -15,15 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string equation_name(Model model) {
-  switch (model) {
-    case Model::full: return "(2.22)";
-    case Model::orifice: return "(2.23)";
-    case Model::long_channel: return "(2.25)";
-  }
-  return "";
-}
-
 /// Half of them evenly spaced, half geometrically down to 1e-6 r_ch; from the pole to the rim.
 std::vector<double> wall_offsets(const PotentialFlow& flow) {
   constexpr int half = 250;
@@ -144,7 +135,7 @@ std::string flow_summary(const Case& c, const FlowSnapshot& snapshot) {
   line("rate", with_unit(instant.rate, "1/s"));
   const auto equation = snapshot.equation();
   line("acceleration", with_unit(*instant.acceleration, "1/s^2") +
-                           (equation ? " by " + equation_name(*equation) + ", " +
+                           (equation ? " by " + std::string(equation_of(*equation)) + ", " +
                                            std::string(name_of(c.parameters.closure)) + " closure"
                                      : ""));
   line("inlet pressure", with_unit(s.inlet_pressure, "Pa"));

@@ -53,20 +53,10 @@ double rms_of(const Rows& rows, Force force) {
   return rows.empty() ? 0 : std::sqrt(sum / static_cast<double>(rows.size()));
 }
 
-ForceError error_of(const Rows& rows, std::size_t closure, Force force) {
-  const auto count = static_cast<double>(rows.size());
-  ForceError error{0, 0, 0, rows.front()->fem.time};
-  for (const VerifiedRow* row : rows) {
-    const double difference = row->models[closure] - row->fem.*force;
-    error.mean += difference / count;
-    error.rms += difference * difference / count;
-    if (std::abs(difference) > std::abs(error.greatest)) {
-      error.greatest = difference;
-      error.greatest_time = row->fem.time;
-    }
-  }
-  error.rms = std::sqrt(error.rms);
-  return error;
+Deviation error_of(const Rows& rows, std::size_t closure, Force force) {
+  std::vector<Difference> differences;
+  for (const VerifiedRow* row : rows) differences.push_back({row->fem.time, row->models[closure] - row->fem.*force});
+  return deviation_of(differences);
 }
 
 /// Nothing where a force is 0.

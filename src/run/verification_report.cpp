@@ -1,32 +1,19 @@
-#include <algorithm>
-#include <nlohmann/json.hpp>
+#include "turgor/run/verification.hpp"
 
 #include "turgor/base/text.hpp"
 #include "turgor/base/version.hpp"
 #include "turgor/case/units.hpp"
 #include "turgor/run/report.hpp"
-#include "turgor/run/verification.hpp"
+#include "verification_parts.hpp"
 
 namespace turgor {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-/// A number relative to a force; nothing where that is 0.
-Json relative(double value, double reference) { return reference > 0 ? Json(value / reference) : Json(nullptr); }
-
 Json to_json(const PartErrors& of, const std::vector<Closure>& closures) {
   Json errors = Json::object();
   for (std::size_t i = 0; i < closures.size(); ++i) {
-    const ForceError& e = of.closures[i];
-    errors[std::string(name_of(closures[i]))] = {{"mean_N", e.mean},
-                                                 {"rms_N", e.rms},
-                                                 {"greatest_N", e.greatest},
-                                                 {"greatest_at_s", e.greatest_time},
-                                                 {"mean", relative(e.mean, of.reference)},
-                                                 {"rms", relative(e.rms, of.reference)},
-                                                 {"greatest", relative(e.greatest, of.reference)}};
+    errors[std::string(name_of(closures[i]))] = to_json(of.closures[i], "N", of.reference);
   }
   return {{"part", of.part.name()},      {"rows", of.rows},
           {"rms_fem_N", of.rms},         {"relative_to", of.relative_to_deflation ? "deflation" : "part"},
@@ -45,28 +32,6 @@ Json to_json(const ForceComparison& comparison, const std::vector<Closure>& clos
   return {{"parts", parts}, {"even_deflation_ratio_minus_1", even}};
 }
 
-/// What identifies the run in its own report.
-Json fem_json(const FemHistory& fem) {
-  const Json report = Json::parse(fem.report, nullptr, false);
-  Json out{{"status", fem.status}, {"rows", fem.rows.size()}, {"t_last_s", fem.rows.back().time}};
-  for (const char* key : {"versions", "discretisation", "steps"}) {
-    if (report.is_object() && report.contains(key)) out[key] = report[key];
-  }
-  return out;
-}
-
-std::string right(std::string text, std::size_t width) {
-  if (text.size() < width) text.insert(0, width - text.size(), ' ');
-  return text;
-}
-
-std::string left(std::string text, std::size_t width) {
-  if (text.size() < width) text.append(width - text.size(), ' ');
-  return text;
-}
-
-std::string percent(double share) { return rounded(100 * share, 3); }
-
 constexpr std::size_t label_width = 33;
 constexpr std::size_t number_width = 9;
 
@@ -83,9 +48,9 @@ std::string error_table(const ForceComparison& comparison, const std::vector<Clo
   for (const PartErrors& of : comparison.parts) {
     out +=
         left((of.part.course ? "    " : "  ") + of.part.name() + (of.relative_to_deflation ? " *" : ""), label_width);
-    for (const ForceError& e : of.closures) {
+    for (const Deviation& e : of.closures) {
       for (const double value : {e.mean, e.rms, e.greatest}) {
-        out += right(of.reference > 0 ? percent(value / of.reference) : "-", number_width);
+        out += right(percent_of(value, of.reference), number_width);
       }
     }
     out += "\n";
@@ -138,8 +103,6 @@ std::string verification_csv(const Case& c, const Verification& v) {
 std::string verification_json(const Case& c, const Verification& v) {
   Json closures = Json::array();
   for (const Closure closure : v.closures) closures.push_back(name_of(closure));
-  Json warnings = Json::array();
-  for (const Warning& warning : v.warnings) warnings.push_back({{"name", warning.name}, {"text", warning.text}});
   const Json document{{"title", c.title},
                       {"status", "complete"},
                       {"versions", {{"turgor", version}, {"compiler", compiler}}},
@@ -148,19 +111,13 @@ std::string verification_json(const Case& c, const Verification& v) {
                       {"finite_elements", fem_json(v.fem)},
                       {"force_mode", to_json(v.mode, v.closures)},
                       {"force", to_json(v.whole, v.closures)},
-                      {"warnings", warnings}};
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+                      {"warnings", to_json(v.warnings)}};
+  return dumped(document);
 }
 
 std::string verification_summary(const Case& c, const Verification& v) {
-  const FemHistory& fem = v.fem;
-  std::string out = c.title + "\n" +
-                    summary_line("finite elements", fem.status + ", " + std::to_string(fem.rows.size()) +
-                                                        " rows up to " + rounded(fem.rows.back().time, 6) + " s") +
-                    error_table(v.mode, v.closures, "force_mode") + error_table(v.whole, v.closures, "force") +
-                    ratio_table(v) + "\n";
-  for (const Warning& warning : v.warnings) out += "  warning: " + warning.text + "\n";
-  return out;
+  return c.title + "\n" + fem_line(v.fem) + error_table(v.mode, v.closures, "force_mode") +
+         error_table(v.whole, v.closures, "force") + ratio_table(v) + "\n" + warning_lines(v.warnings);
 }
 
 }  // namespace turgor

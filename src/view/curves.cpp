@@ -100,6 +100,10 @@ Curve portrait_curve(const Trajectory<double>& trajectory, Regime regime, double
   return curve;
 }
 
+std::string picture_pressure_unit(const Case& c) {
+  return c.output.pressure_unit == "Pa" ? "kPa" : c.output.pressure_unit;
+}
+
 Curve pressure_curve(const Case& c, double time_unit, double pressure_unit) {
   const double end = c.solve.t_end;
   std::vector<double> knots{0};

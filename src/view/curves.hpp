@@ -2,6 +2,7 @@
 // Curves for pictures: dense enough that nothing aliases, thin enough to draw.
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "turgor/run/run_case.hpp"
@@ -22,6 +23,9 @@ using Curve = std::vector<CurvePoint>;
 
 /// dR/dt = per_second dR/dT against R, the parts of one regime; points closer than a picture resolves are left out.
 [[nodiscard]] Curve portrait_curve(const Trajectory<double>& trajectory, Regime regime, double per_second);
+
+/// Pascals make unreadable axes, so pictures use kPa unless the case chose a unit.
+[[nodiscard]] std::string picture_pressure_unit(const Case& c);
 
 /// Gauge pressure against time, in the given units [s], [Pa]; jumps are drawn as vertical lines.
 [[nodiscard]] Curve pressure_curve(const Case& c, double time_unit, double pressure_unit);

@@ -54,9 +54,11 @@ ForceUnit unit_for(double force) {
   return unit;
 }
 
-std::string closure_style(Closure closure) {
+std::string closure_style(Closure closure) { return closure_style(closure, std::string(name_of(closure)), false); }
+
+std::string closure_style(Closure closure, const std::string& title, bool fine) {
   const Style& style = closure_styles.at(static_cast<std::size_t>(closure));
-  return line_style(style.colour, std::string(name_of(closure)), style.dashes);
+  return line_style(style.colour, title, fine ? fine_dashes : style.dashes);
 }
 
 Plot motion_plot(const Case& c, double time_unit, const std::string& prefix) {

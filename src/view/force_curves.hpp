@@ -27,6 +27,9 @@ void add_forces(Plot& plot, const Case& c, const std::vector<Closure>& closures,
 
 /// How the force by a closure is drawn.
 [[nodiscard]] std::string closure_style(Closure closure);
+/// The same with another title.
+/// @param fine  as a fine dotted line of that colour
+[[nodiscard]] std::string closure_style(Closure closure, const std::string& title, bool fine);
 
 /// The force by finite elements, as far as it goes, in the given units.
 void add_finite_elements(Plot& plot, const FemHistory& fem, double time_unit, const ForceUnit& unit);

@@ -10,11 +10,6 @@ namespace turgor {
 
 namespace {
 
-/// Pascals make unreadable axes, so pictures use kPa unless the case chose a unit.
-std::string picture_pressure_unit(const Case& c) {
-  return c.output.pressure_unit == "Pa" ? "kPa" : c.output.pressure_unit;
-}
-
 std::string draw_history(const Case& c, const RunResult& result, const std::filesystem::path& folder) {
   const Trajectory<double>& trajectory = *result.trajectory;
   const double s = unit_factor(c.output.time_unit, "s");

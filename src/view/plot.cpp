@@ -38,6 +38,10 @@ std::string root_tics(double greatest, int sign) {
   return list + ")\n";
 }
 
+std::string panel_between(double bottom, double top) {
+  return "set bmargin at screen " + rounded(bottom) + "; set tmargin at screen " + rounded(top) + "\n";
+}
+
 double tic_step(const Curve& curve) {
   const auto [low, high] = std::ranges::minmax(curve, {}, &CurvePoint::y);
   return round_step(std::max(high.y - low.y, 1e-3 * std::abs(high.y) + 1e-9) / 3);

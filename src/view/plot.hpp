@@ -48,6 +48,9 @@ inline const std::string dots_and_dashes = "(24,8,4,8)";
 /// @param sign  of the values
 [[nodiscard]] std::string root_tics(double greatest, int sign);
 
+/// The command that places the next plot of a multiplot between two heights, in shares of the picture.
+[[nodiscard]] std::string panel_between(double bottom, double top);
+
 /// Such that the axis of a curve gets three to six tics.
 [[nodiscard]] double tic_step(const Curve& curve);
 

@@ -36,10 +36,6 @@ Plot error_plot(const Verification& v, double time_unit, const ForceUnit& unit) 
   return plot;
 }
 
-std::string panel_between(double bottom, double top) {
-  return "set bmargin at screen " + rounded(bottom) + "; set tmargin at screen " + rounded(top) + "\n";
-}
-
 }  // namespace
 
 std::string draw_verification(const Case& c, const Verification& v, const std::filesystem::path& folder) {

@@ -112,7 +112,7 @@ TEST(Verification, FindsKnownErrors) {
     return MadeUpForces{2 * f, f};
   });
   const PartErrors& even = part(v.mode, "inflating, constant velocity");
-  const ForceError& e = even.closures.at(corrected);
+  const Deviation& e = even.closures.at(corrected);
   EXPECT_NEAR(e.mean, 12, 1e-10);
   EXPECT_NEAR(e.rms, std::sqrt((9 * 49.0 + 57 * 57.0) / 10), 1e-10);
   EXPECT_NEAR(e.greatest, 57, 1e-10);

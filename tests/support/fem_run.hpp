@@ -1,5 +1,5 @@
 #pragma once
-// Run directories of `turgor fem flow` whose forces are made up.
+// Run directories of `turgor fem` whose results are made up.
 
 #include <functional>
 
@@ -25,21 +25,41 @@ struct MadeUpRun {
   double metres = 1;
 };
 
+/// Writes what both kinds of run directories have, around the rows of a table.
+inline void write_run(const std::filesystem::path& folder, const Case& c, const MadeUpRun& run,
+                      const std::string& header, const std::function<std::string(double t)>& row) {
+  std::filesystem::create_directories(folder);
+  write(folder / "resolved.toml", c.resolved);
+  write(folder / "run.json", "{\"status\": \"" + run.status + "\", \"message\": \"why\", \"steps\": 7}");
+  std::string text = header;
+  for (const double t : requested_times(c.solve)) {
+    if (t <= run.end) text += row(t);
+  }
+  write(folder / "history.csv", text);
+}
+
 /// Writes resolved.toml, run.json and a history.csv with a row for each requested time, its columns in another order
 /// than `turgor fem flow` writes them.
 inline void write_fem_run(const std::filesystem::path& folder, const Case& c,
                           const std::function<MadeUpForces(double t)>& forces, const MadeUpRun& run = {}) {
-  std::filesystem::create_directories(folder);
-  write(folder / "resolved.toml", c.resolved);
-  write(folder / "run.json", "{\"status\": \"" + run.status + "\", \"message\": \"why\", \"steps\": 7}");
-  std::string text = "force_mode [N],t [" + run.time_unit + "],kinetic [J],r [" + run.length_unit + "],force [N]\n";
-  for (const double t : requested_times(c.solve)) {
-    if (t > run.end) break;
+  const std::string header =
+      "force_mode [N],t [" + run.time_unit + "],kinetic [J],r [" + run.length_unit + "],force [N]\n";
+  write_run(folder, c, run, header, [&](double t) {
     const MadeUpForces at = forces(t);
-    text += shortest(at.force_mode) + "," + shortest(t / run.seconds) + ",-," +
-            shortest(dictated_motion(c).at(t).radius / run.metres) + "," + shortest(at.force) + "\n";
-  }
-  write(folder / "history.csv", text);
+    return shortest(at.force_mode) + "," + shortest(t / run.seconds) + ",-," +
+           shortest(dictated_motion(c).at(t).radius / run.metres) + "," + shortest(at.force) + "\n";
+  });
+}
+
+/// The same of an elastic balloon, as `turgor fem fsi` has them, with a given effective radius [m].
+inline void write_fsi_run(const std::filesystem::path& folder, const Case& c,
+                          const std::function<double(double t)>& radius, const MadeUpRun& run = {}) {
+  const std::string header = "p_gauge [kPa],t [" + run.time_unit + "],kinetic [J],r_eff [" + run.length_unit +
+                             "],dr_effdt [" + run.length_unit + "/" + run.time_unit + "]\n";
+  write_run(folder, c, run, header, [&](double t) {
+    return shortest(c.pressure(t) / 1000) + "," + shortest(t / run.seconds) + ",-," + shortest(radius(t) / run.metres) +
+           ",0.5\n";
+  });
 }
 
 }  // namespace turgor::test

@@ -47,7 +47,7 @@ struct MadeFigure {
 /// @param cases     folder of the case files
 /// @param folder    made with contents_of()
 /// @param pictures  whether to draw
-/// @param fem       folder of run directories of `turgor fem flow`, CASE.fem, to show; empty: none
+/// @param fem       folder of run directories of `turgor fem`, CASE.fem, to show; empty: none
 /// @throws InvalidInput when a case file cannot be read; ComputationFailed when a file cannot be written
 [[nodiscard]] MadeFigure make_figure(const Figure& figure, const std::filesystem::path& cases,
                                      const ResultFolder& folder, bool pictures, const std::filesystem::path& fem = {});

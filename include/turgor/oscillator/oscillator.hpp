@@ -22,6 +22,8 @@ enum class Model {
 
 /// "full", "orifice" or "long-channel".
 [[nodiscard]] std::string_view name_of(Model model);
+/// "(2.22)", "(2.23)" or "(2.25)".
+[[nodiscard]] std::string_view equation_of(Model model);
 [[nodiscard]] std::string_view name_of(Closure closure);
 
 /// The coefficient functions of the oscillator at one stretch, each with its derivative with respect to R.

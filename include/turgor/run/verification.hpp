@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "turgor/closure/closure.hpp"
+#include "turgor/run/deviation.hpp"
 #include "turgor/run/fem_history.hpp"
 
 namespace turgor {
@@ -31,21 +32,14 @@ struct VerifiedRow {
   std::vector<double> models;  ///< generalized force by each closure [N]
 };
 
-/// model - finite elements over the rows of a part of the motion [N].
-struct ForceError {
-  double mean;
-  double rms;
-  double greatest;       ///< in size, with its sign
-  double greatest_time;  ///< [s]
-};
-
+/// Errors over the rows of a part of the motion.
 struct PartErrors {
   MotionPart part;
   std::size_t rows;
-  double rms;                  ///< of the finite elements' force [N]
-  bool relative_to_deflation;  ///< since rms is less than a tenth of that of the whole deflation
-  double reference;            ///< rms, or that of the deflation [N]; errors are relative to it
-  std::vector<ForceError> closures;
+  double rms;                       ///< of the finite elements' force [N]
+  bool relative_to_deflation;       ///< since rms is less than a tenth of that of the whole deflation
+  double reference;                 ///< rms, or that of the deflation [N]; errors are relative to it
+  std::vector<Deviation> closures;  ///< of each [N]
 };
 
 /// model/finite elements - 1 over the rows of deflation at constant velocity.
