@@ -92,6 +92,7 @@ void make_response_figure(Studio& studio) {
     add_rows(table, complete.back());
   }
   std::vector<Case> cases;
+  cases.reserve(own.size());
   for (const Response& response : own) cases.push_back(response.of);
   const std::vector<std::optional<FemResponse>> fem = fem_runs(studio, cases, &read_fem_response, "Vermilion");
   for (std::size_t i = 0; i < fem.size(); ++i) {

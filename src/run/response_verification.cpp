@@ -130,6 +130,7 @@ std::vector<PressurePhase> pressure_phases(const PressureProgram<double>& progra
 
 ResponseVerification verify_response(const Case& c, FemResponse fem) {
   std::vector<double> radii;
+  radii.reserve(fem.rows.size());
   for (const FemRadius& row : fem.rows) radii.push_back(row.radius);
   const auto [least, greatest] = std::ranges::minmax(radii);
   const StretchRange range{least / c.parameters.radius, greatest / c.parameters.radius};
