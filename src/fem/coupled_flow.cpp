@@ -18,7 +18,7 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 
-const Case& checked(const Case& c) {
+Case checked(const Case& c) {
   require_free_motion(c);
   if (c.stretch_rate == 0) return c;
   throw InvalidInput(

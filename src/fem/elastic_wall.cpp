@@ -33,12 +33,12 @@ Membrane membrane_of(const FlowSpace& space, const std::vector<int>& chain, cons
   Meridian meridian;
   for (const int node : chain) meridian.nodes.push_back(space.nodes()[static_cast<std::size_t>(node)]);
   const auto& p = c.parameters;
-  return {std::move(meridian), MembraneWall{.material = p.material,
-                                            .thickness = p.thickness,
-                                            .density = p.solid_density,
-                                            .bending_stiffness = c.wall.bending_stiffness,
-                                            .damping_time = c.wall.damping_time,
-                                            .rim = c.wall.clamped ? Rim::clamped : Rim::hinged}};
+  return {meridian, MembraneWall{.material = p.material,
+                                 .thickness = p.thickness,
+                                 .density = p.solid_density,
+                                 .bending_stiffness = c.wall.bending_stiffness,
+                                 .damping_time = c.wall.damping_time,
+                                 .rim = c.wall.clamped ? Rim::clamped : Rim::hinged}};
 }
 
 /// At rest with the volume of the sphere through the rim that the case starts from.

@@ -1,6 +1,7 @@
 #pragma once
 // A sphere of radius r through the rim of an orifice of radius a, cut off by the orifice's plane.
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -36,6 +36,6 @@ if [ -z "${QUICK:-}" ]; then
     deflate "$mm" 1 0.25
     deflate "$mm" 0.5 1
   done
-  for thick in 0.1 10 100 1000; do deflate 20 1 1 "$thick"; done
+  for thick in 0.1 10 100 1000; do deflate 20 2 1 "$thick"; done
 fi
 /usr/bin/python3 "$here/table.py" "$out" "$here/reference.json"

@@ -42,7 +42,7 @@ struct FlowControls {
   /// Of Newton's method: error of velocity that it leaves by the rate of its changes, relative, as root mean squares
   /// over the nodes.
   double update_tolerance = 1e-5;
-  double least_velocity = 0;  ///< [m/s], root mean square: changes relative to less would be of rounding
+  double least_velocity = 0;       ///< [m/s], root mean square: changes relative to less would be of rounding
   double linear_tolerance = 1e-3;  ///< of a linear system's residual; what Newton gains by an iteration at most
   int max_newton = 12;
 };
