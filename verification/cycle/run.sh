@@ -23,13 +23,11 @@ cycle orifice 30 1.3 1
 if [ -z "${QUICK:-}" ]; then
   for mm in 20 10 5; do cycle orifice "$mm" 1.3 1; done
   for mm in 30 20 10 5; do cycle channel "$mm" 2 1; done
+  for mm in 30 20 10 5; do cycle channel "$mm" 3 1; done
+  cycle channel 20 2 0.5
   cycle orifice 30 2 1
   cycle orifice 30 1.3 0.5
   cycle orifice 20 2 1
   cycle orifice 20 1.3 0.5
-  cycle orifice 20 1 1
-  cycle channel 30 2 0.5
-  cycle channel 30 1.3 1
-  cycle orifice 30 1 1
 fi
 /usr/bin/python3 "$here/table.py" "$out" "$here/reference.json"
