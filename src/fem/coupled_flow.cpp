@@ -5,12 +5,11 @@
 #include <limits>
 #include <numbers>
 
+#include "flow_parts.hpp"
 #include "turgor/base/errors.hpp"
-#include "turgor/base/text.hpp"
 #include "turgor/fem/elastic_wall.hpp"
 #include "turgor/fem/flow_checkpoint.hpp"
 #include "turgor/fem/flow_fields.hpp"
-#include "turgor/mesh/balloon_mesh.hpp"
 
 namespace turgor {
 
@@ -31,20 +30,11 @@ FlowControls controls_of(const Case& c) {
   return controls;
 }
 
-BalloonMesh mesh_of(const Case& c) {
-  return balloon_mesh({.orifice_radius = c.parameters.orifice_radius,
-                       .channel_length = c.parameters.channel_length,
-                       .radius = c.parameters.radius,
-                       .rim = c.fem.h_rim,
-                       .orifice = c.fem.h_orifice,
-                       .wall = c.fem.h_wall});
-}
-
 class CoupledFlow final : public FlowProblem {
  public:
   explicit CoupledFlow(const Case& c)
       : case_(checked(c)),
-        mesh_(mesh_of(case_)),
+        mesh_(mesh_of(case_, case_.parameters.radius)),
         space_(mesh_),
         wall_(std::make_shared<ElasticWall>(space_, case_)),
         solver_(space_, definition(), controls_of(case_)),
@@ -55,9 +45,7 @@ class CoupledFlow final : public FlowProblem {
         balance_(flow_balance(solver_, no_mode)),
         start_volume_(balance_.volume) {}
 
-  [[nodiscard]] FlowSize size() const override {
-    return {static_cast<long>(space_.cells().size()), static_cast<long>(space_.size())};
-  }
+  [[nodiscard]] FlowSize size() const override { return size_of(space_); }
   [[nodiscard]] double time() const override { return solver_.time(); }
   SolverRow step(double t_stop) override;
   [[nodiscard]] FlowRow row() const override;
@@ -87,14 +75,8 @@ class CoupledFlow final : public FlowProblem {
 };
 
 FlowDefinition CoupledFlow::definition() const {
-  FlowDefinition flow;
-  flow.density = case_.parameters.fluid_density;
-  flow.viscosity = case_.parameters.fluid_viscosity;
-  flow.slip = case_.inlet.slip;
-  flow.tangential_zero = !case_.inlet.tangential_free;
-  flow.inflow_penalty = case_.inlet.inflow_penalty;
+  FlowDefinition flow = liquid_of(case_);
   flow.wall = wall_;
-  flow.inlet_pressure = [this](double t) { return case_.pressure(t); };
   return flow;
 }
 
@@ -105,23 +87,24 @@ double CoupledFlow::speed() const {
   return std::max(mean, speed_on_axis(solver_));
 }
 
+/// Of the present segment of the pressure, at most a period where it oscillates.
 double CoupledFlow::segment_duration() const {
   double begin = 0;
+  double end = case_.solve.t_end;
   for (const double knot : case_.pressure.knots()) {
-    if (knot > time()) return std::min(knot, case_.solve.t_end) - begin;
-    begin = std::max(begin, knot);
+    if (knot > time()) end = std::min(end, knot);
+    if (knot <= time()) begin = std::max(begin, knot);
   }
-  return case_.solve.t_end - begin;
+  const auto* harmonic = std::get_if<HarmonicPressure<double>>(&case_.pressure.after(time()).form());
+  const bool swings = harmonic != nullptr && !harmonic->is_constant();
+  return swings ? std::min(end - begin, 1 / std::abs(harmonic->frequency)) : end - begin;
 }
 
 /// fem.error_tolerance times the speed that the greatest pressure of the program would drive through the orifice.
 double CoupledFlow::error_limit() const {
   if (case_.fem.error_tolerance == 0) return std::numeric_limits<double>::infinity();
-  constexpr int samples = 1000;
-  double greatest = 0;
-  for (int i = 0; i <= samples; ++i) {
-    greatest = std::max(greatest, std::abs(case_.pressure(case_.solve.t_end * i / samples)));
-  }
+  const PressureRange<double> range = range_of(case_.pressure, case_.solve.t_end);
+  const double greatest = std::max(std::abs(range.least), std::abs(range.greatest));
   return case_.fem.error_tolerance * std::sqrt(2 * greatest / case_.parameters.fluid_density);
 }
 
@@ -149,39 +132,18 @@ double CoupledFlow::radius_of(const Eigen::VectorXd& places) const {
 }
 
 FlowRow CoupledFlow::row() const {
-  const FlowBalance& b = balance_;
-  const double a = case_.parameters.orifice_radius;
   const Membrane& membrane = wall_->membrane();
   const Eigen::VectorXd places = wall_->of_wall(solver_.positions());
   const Eigen::VectorXd velocity = wall_->of_wall(solver_.mesh_velocities());
   constexpr double apart = 1e-6;  // [s]
-  double widest = 0;
-  for (Eigen::Index i = 0; i < places.size(); i += 2) widest = std::max(widest, places[i]);
-  return {.time = time(),
-          .gauge_pressure = case_.pressure(time()),
-          .radius = radius_of(places),
-          .rate = (radius_of(places + apart * velocity) - radius_of(places - apart * velocity)) / (2 * apart),
-          .acceleration = 0,
-          .force = b.force,
-          .force_mode = 0,
-          .flow_rate = b.inflow,
-          .volume = b.volume - std::numbers::pi * a * a * case_.parameters.channel_length,
-          .area = b.area,
-          .kinetic = b.kinetic_energy,
-          .viscous_power = energies_.power(EnergyAccount::viscous),
-          .viscous_work = energies_.work(EnergyAccount::viscous),
-          .stabilisation_power = energies_.power(EnergyAccount::stabilisation),
-          .stabilisation_work = energies_.work(EnergyAccount::stabilisation),
-          .inlet_power = energies_.power(EnergyAccount::inlet),
-          .inlet_work = energies_.work(EnergyAccount::inlet),
-          .wall_power = energies_.power(EnergyAccount::wall),
-          .wall_work = energies_.work(EnergyAccount::wall),
-          .top = places[places.size() - 1],
-          .greatest_radius = widest,
-          .elastic = turn * membrane.elastic(places).value,
-          .wall_kinetic = turn / 2 * velocity.dot(membrane.mass() * velocity),
-          .damping_power = energies_.power(EnergyAccount::damping),
-          .damping_work = energies_.work(EnergyAccount::damping)};
+  FlowRow row = row_of(case_, time(), balance_, energies_);
+  row.radius = radius_of(places);
+  row.rate = (radius_of(places + apart * velocity) - radius_of(places - apart * velocity)) / (2 * apart);
+  row.top = places[places.size() - 1];
+  for (Eigen::Index i = 0; i < places.size(); i += 2) row.greatest_radius = std::max(row.greatest_radius, places[i]);
+  row.elastic = turn * membrane.elastic(places).value;
+  row.wall_kinetic = turn / 2 * velocity.dot(membrane.mass() * velocity);
+  return row;
 }
 
 void CoupledFlow::save(Checkpoint& checkpoint) {

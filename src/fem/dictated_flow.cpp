@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "flow_parts.hpp"
 #include "spherical_cap.hpp"
 #include "turgor/base/errors.hpp"
 #include "turgor/base/text.hpp"
@@ -14,7 +15,6 @@
 #include "turgor/fem/flow_solver.hpp"
 #include "turgor/fem/orifice_profile.hpp"
 #include "turgor/fem/step_control.hpp"
-#include "turgor/mesh/balloon_mesh.hpp"
 #include "turgor/mesh/toroidal_motion.hpp"
 
 namespace turgor {
@@ -22,21 +22,12 @@ namespace turgor {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-MeshRequest mesh_request(const Case& c) {
-  return {.orifice_radius = c.parameters.orifice_radius,
-          .channel_length = c.parameters.channel_length,
-          .radius = dictated_motion(c).at(0).radius,
-          .rim = c.fem.h_rim,
-          .orifice = c.fem.h_orifice,
-          .wall = c.fem.h_wall};
-}
-
 class DictatedFlow final : public FlowProblem {
  public:
   explicit DictatedFlow(const Case& c)
       : case_(c),
         motion_(dictated_motion(case_)),
-        mesh_(balloon_mesh(mesh_request(case_))),
+        mesh_(mesh_of(case_, motion_.at(0).radius)),
         mesh_motion_(case_.parameters.orifice_radius, motion_.at(0).radius),
         space_(mesh_),
         solver_(space_, definition(), controls_of(case_.fem)),
@@ -47,9 +38,7 @@ class DictatedFlow final : public FlowProblem {
         profile_(space_, case_.parameters.orifice_radius),
         balance_(balance()) {}
 
-  [[nodiscard]] FlowSize size() const override {
-    return {static_cast<long>(space_.cells().size()), static_cast<long>(space_.size())};
-  }
+  [[nodiscard]] FlowSize size() const override { return size_of(space_); }
   [[nodiscard]] double time() const override { return solver_.time(); }
   SolverRow step(double t_stop) override;
   [[nodiscard]] FlowRow row() const override;
@@ -79,19 +68,13 @@ class DictatedFlow final : public FlowProblem {
 };
 
 FlowDefinition DictatedFlow::definition() const {
-  FlowDefinition flow;
-  flow.density = case_.parameters.fluid_density;
-  flow.viscosity = case_.parameters.fluid_viscosity;
-  flow.slip = case_.inlet.slip;
-  flow.tangential_zero = !case_.inlet.tangential_free;
-  flow.inflow_penalty = case_.inlet.inflow_penalty;
+  FlowDefinition flow = liquid_of(case_);
   flow.position = [this](const Point2& X, double t) { return mesh_motion_.position(X, motion_.at(t).radius); };
   flow.mesh_velocity = [this](const Point2& X, double t) {
     const auto state = motion_.at(t);
     const Point2 rate = mesh_motion_.rate(X, state.radius);
     return Point2{rate[0] * state.rate, rate[1] * state.rate};
   };
-  flow.inlet_pressure = [this](double t) { return case_.pressure(t); };
   return flow;
 }
 
@@ -137,36 +120,20 @@ SolverRow DictatedFlow::step(double t_stop) {
   energies_.book(balance_, 0, time() - before);
   const auto motion = motion_.at(time());
   if (motion.rate < 0 && motion.acceleration == 0) profile_.add(solver_.solution(), time() - before);
-  const double a = case_.parameters.orifice_radius;
-  const double channel = pi * a * a * case_.parameters.channel_length;
+  const double exact = cap_volume(motion.radius, case_.parameters.orifice_radius);
   row.min_jacobian = least_jacobian(solver_);
-  row.volume_error = (balance_.volume - channel) / cap_volume(motion.radius, a) - 1;
+  row.volume_error = (balance_.volume - channel_volume(case_)) / exact - 1;
   return row;
 }
 
 FlowRow DictatedFlow::row() const {
   const auto state = motion_.at(time());
-  const FlowBalance& b = balance_;
-  const double a = case_.parameters.orifice_radius;
-  return {.time = time(),
-          .gauge_pressure = case_.pressure(time()),
-          .radius = state.radius,
-          .rate = state.rate,
-          .acceleration = state.acceleration,
-          .force = b.force,
-          .force_mode = b.force_mode,
-          .flow_rate = b.inflow,
-          .volume = b.volume - pi * a * a * case_.parameters.channel_length,
-          .area = b.area,
-          .kinetic = b.kinetic_energy,
-          .viscous_power = energies_.power(EnergyAccount::viscous),
-          .viscous_work = energies_.work(EnergyAccount::viscous),
-          .stabilisation_power = energies_.power(EnergyAccount::stabilisation),
-          .stabilisation_work = energies_.work(EnergyAccount::stabilisation),
-          .inlet_power = energies_.power(EnergyAccount::inlet),
-          .inlet_work = energies_.work(EnergyAccount::inlet),
-          .wall_power = energies_.power(EnergyAccount::wall),
-          .wall_work = energies_.work(EnergyAccount::wall)};
+  FlowRow row = row_of(case_, time(), balance_, energies_);
+  row.radius = state.radius;
+  row.rate = state.rate;
+  row.acceleration = state.acceleration;
+  row.force_mode = balance_.force_mode;
+  return row;
 }
 
 void DictatedFlow::save(Checkpoint& checkpoint) {

@@ -22,12 +22,6 @@ const std::vector<double>& array_of(const Checkpoint& checkpoint, const std::str
   return found->second;
 }
 
-std::vector<Warning> factorisation_warnings(const FlowSolver& solver) {
-  const long failures = solver.linear_solver().failures();
-  if (failures == 0) return {};
-  return {{"factorisation", "MUMPS failed to factorise " + std::to_string(failures) + " times; UMFPACK took over"}};
-}
-
 void save_flow(FlowSolver& solver, const StepControl& control, const EnergyAccount& energies, Checkpoint& checkpoint) {
   solver.forget_factors();
   checkpoint.times.clear();

@@ -358,9 +358,10 @@ void FlowSolver::solve_step(std::vector<double>& unknowns, StepReport& report) {
   while (report.newton_iterations < controls_.max_newton) {
     const double before = report.last_update;
     iterate(unknowns, residual, update, report);
-    const double rate = report.newton_iterations > 1 ? report.last_update / before : 0.5;
-    const double left = rate < 0.5 ? rate / (1 - rate) : 1;
-    if (left * report.last_update <= controls_.update_tolerance) return;
+    if (report.last_update <= controls_.update_tolerance) return;
+    if (report.newton_iterations == 1) continue;
+    const double rate = report.last_update / before;
+    if (rate < 0.5 && rate / (1 - rate) * report.last_update <= controls_.update_tolerance) return;
     if (rate > hopeless) break;
   }
   throw ComputationFailed("Newton's method did not converge: change " + std::to_string(report.newton_iterations) +
@@ -428,11 +429,12 @@ StepReport FlowSolver::step_to(double t, double error_limit) {
     mesh_velocities_ = velocities;
   };
   std::vector<double> unknowns;
+  std::vector<double> reactions;
   try {
     prepare_step(t);
     unknowns = frozen_;
     solve_step(unknowns, report);
-    if (!(assemble(unknowns, reactions_, false) > 0)) throw ComputationFailed("a cell of the mesh is inverted");
+    if (!(assemble(unknowns, reactions, false) > 0)) throw ComputationFailed("a cell of the mesh is inverted");
   } catch (const ComputationFailed&) {
     linear_->discard_factors();
     go_back();
@@ -444,6 +446,7 @@ StepReport FlowSolver::step_to(double t, double error_limit) {
     go_back();
     return report;
   }
+  reactions_ = std::move(reactions);
   if (levels_.size() > 2) levels_.erase(levels_.begin());
   levels_.push_back({step_time_, std::move(unknowns)});
   if (flow_.wall) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "turgor/base/errors.hpp"
@@ -64,6 +65,7 @@ LinearSolver::LinearSolver(SparsePattern pattern)
 }
 
 void LinearSolver::prepare(Package package) {
+  package_ = package;
   Petsc& p = *petsc_;
   KSPDestroy(&p.ksp);
   check(KSPCreate(PETSC_COMM_SELF, &p.ksp), "make a solver");
@@ -101,25 +103,31 @@ LinearReport LinearSolver::solve(const std::vector<double>& b, std::vector<doubl
   const Petsc& p = *petsc_;
   check(MatAssemblyBegin(p.matrix, MAT_FINAL_ASSEMBLY), "take the matrix");
   check(MatAssemblyEnd(p.matrix, MAT_FINAL_ASSEMBLY), "take the matrix");
-  tolerance_ = tolerance;
-  if (factorized_ && try_to_solve(b, x, report)) return report;
-  if (try_to_solve(b, x, report)) return report;
+  const auto solved = [&] {
+    const double reached = attempt(b, x, tolerance * size, report);
+    report.residual = reached / size;
+    return reached <= tolerance * size;
+  };
+  if (factorized_ && solved()) return report;
+  if (package_ != Package::mumps) prepare(Package::mumps);
+  if (solved()) return report;
   ++failures_;
-  prepare(Package::umfpack);
-  const bool solved = try_to_solve(b, x, report);
-  if (!solved) prepare(Package::mumps);  // PETSc remembers factors that failed
-  if (solved) return report;
+  prepare(Package::umfpack);  // also because PETSc remembers factors that failed
+  if (solved()) return report;
   throw ComputationFailed(
       "a linear system could not be solved: GMRES with new factorisations by MUMPS and by UMFPACK left a relative "
       "residual of " +
       std::to_string(report.residual));
 }
 
-/// With the factors that there are, or with new ones; without success the next attempt makes new ones.
-bool LinearSolver::try_to_solve(const std::vector<double>& b, std::vector<double>& x, LinearReport& report) {
+/// With the factors that there are, or with new ones; without success they are good for nothing more.
+/// @param residual  wanted, absolute
+/// @return what was reached; infinite where a factorisation failed
+double LinearSolver::attempt(const std::vector<double>& b, std::vector<double>& x, double residual,
+                             LinearReport& report) {
   const Petsc& p = *petsc_;
   const bool fresh = !factorized_;
-  check(KSPSetTolerances(p.ksp, tolerance_, 0.0, 1e5, most_iterations), "set the tolerance");
+  check(KSPSetTolerances(p.ksp, 0.0, residual, 1e5, most_iterations), "set the tolerance");
   check(KSPSetReusePreconditioner(p.ksp, fresh ? PETSC_FALSE : PETSC_TRUE), "keep the factors");
   report.factorizations += fresh ? 1 : 0;
   std::ranges::fill(x, 0.0);
@@ -130,17 +138,15 @@ bool LinearSolver::try_to_solve(const std::vector<double>& b, std::vector<double
   check(VecResetArray(p.x), "take back a vector");
   KSPConvergedReason reason{};
   PetscInt iterations = 0;
-  PetscReal residual = 0;
+  PetscReal reached = 0;
   check(KSPGetConvergedReason(p.ksp, &reason), "say how it went");
   check(KSPGetIterationNumber(p.ksp, &iterations), "count iterations");
-  check(KSPGetResidualNorm(p.ksp, &residual), "say the residual");
+  check(KSPGetResidualNorm(p.ksp, &reached), "say the residual");
   report.iterations += iterations;
-  double size = 0;
-  for (const double v : b) size += v * v;
-  report.residual = residual / std::sqrt(size);
   factorized_ = code == 0 && reason > 0;
-  if (factorized_) book(iterations, fresh);
-  return code == 0 && reason > 0;
+  if (!factorized_) return code == 0 && reason == KSP_DIVERGED_ITS ? reached : std::numeric_limits<double>::infinity();
+  book(iterations, fresh);
+  return reached;
 }
 
 /// The mean cost of a solution is least where the next one costs as much: then the factors have served.

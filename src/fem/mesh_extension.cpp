@@ -38,38 +38,46 @@ Triplets stiffness(const FlowSpace& space) {
   return entries;
 }
 
+constexpr int none = -1;
+
+/// Number of each of some nodes among them, `none` for the others.
+std::vector<int> numbers_of(const std::vector<int>& some, std::size_t nodes) {
+  std::vector<int> numbers(nodes, none);
+  for (std::size_t k = 0; k < some.size(); ++k) numbers[static_cast<std::size_t>(some[k])] = static_cast<int>(k);
+  return numbers;
+}
+
+/// Nodes that stay where they are in a direction: the orifice, all below it, and to the side those on the axis.
+std::vector<bool> held(const FlowSpace& space, std::size_t component) {
+  std::vector<bool> stays;
+  for (const Point2& X : space.nodes()) stays.push_back(X[1] <= 0);
+  if (component == 0) {
+    for (const int node : space.nodes_on(Side::axis)) stays[static_cast<std::size_t>(node)] = true;
+  }
+  return stays;
+}
+
 }  // namespace
 
 MeshExtension::MeshExtension(const FlowSpace& space, std::vector<int> wall) : wall_(std::move(wall)) {
-  constexpr int held = -1;
-  const auto nodes = static_cast<std::size_t>(space.node_count());
-  std::vector<int> wall_number(nodes, held);
-  for (std::size_t k = 0; k < wall_.size(); ++k) wall_number[static_cast<std::size_t>(wall_[k])] = static_cast<int>(k);
-  std::vector<bool> stays(nodes, false);
-  for (std::size_t i = 0; i < nodes; ++i) stays[i] = space.nodes()[i][1] <= 0;
-  for (const int node : space.nodes_on(Side::inlet)) stays[static_cast<std::size_t>(node)] = true;
+  const std::size_t nodes = space.nodes().size();
+  const std::vector<int> on_wall = numbers_of(wall_, nodes);
   const Triplets entries = stiffness(space);
   for (std::size_t c = 0; c < 2; ++c) {
-    std::vector<bool> given = stays;
-    if (c == 0) {
-      for (const int node : space.nodes_on(Side::axis)) given[static_cast<std::size_t>(node)] = true;
-    }
     Component& part = components_[c];
-    std::vector<int> number(nodes, held);
+    const std::vector<bool> stays = held(space, c);
     for (std::size_t i = 0; i < nodes; ++i) {
-      if (given[i] || wall_number[i] != held) continue;
-      number[i] = static_cast<int>(part.inner.size());
-      part.inner.push_back(static_cast<int>(i));
+      if (!stays[i] && on_wall[i] == none) part.inner.push_back(static_cast<int>(i));
     }
+    const std::vector<int> number = numbers_of(part.inner, nodes);
     Triplets inner;
     Triplets to_wall;
     for (const auto& entry : entries) {
       const int i = number[static_cast<std::size_t>(entry.row())];
-      if (i == held) continue;
       const int j = number[static_cast<std::size_t>(entry.col())];
-      const int k = wall_number[static_cast<std::size_t>(entry.col())];
-      if (j != held) inner.emplace_back(i, j, entry.value());
-      if (k != held) to_wall.emplace_back(i, k, entry.value());
+      const int k = on_wall[static_cast<std::size_t>(entry.col())];
+      if (i != none && j != none) inner.emplace_back(i, j, entry.value());
+      if (i != none && k != none) to_wall.emplace_back(i, k, entry.value());
     }
     const auto n = static_cast<Eigen::Index>(part.inner.size());
     Eigen::SparseMatrix<double> matrix(n, n);

@@ -84,8 +84,9 @@ class FlowRun {
     }
     result_.size = problem_.size();
     result_.time = problem_.time();
-    result_.radius = problem_.row().radius;
-    result_.rate = problem_.row().rate;
+    const FlowRow last = problem_.row();
+    result_.radius = last.radius;
+    result_.rate = last.rate;
     result_.wall_seconds = spent();
     if (const auto points = problem_.outflow(); !points.empty()) folder_.write_profile(points);
     std::ranges::copy(problem_.warnings(), std::back_inserter(result_.warnings));

@@ -129,6 +129,10 @@ TEST(LinearSolver, AnotherPackageFactorizesWhereMumpsCannot) {
   EXPECT_EQ(solver.failures(), 1);
   EXPECT_LT(residual(solver, b, x), 2e-10);
   EXPECT_EQ(solver.solve(b, x, 1e-10).factorizations, 0);  // whose factors are kept as well
+  solver.discard_factors();
+  (void)solver.solve(b, x, 1e-10);  // MUMPS is asked again, and can
+  EXPECT_EQ(solver.failures(), 1);
+  EXPECT_LT(residual(solver, b, x), 2e-10);
 }
 
 TEST(LinearSolver, NothingComesOutOfNothing) {

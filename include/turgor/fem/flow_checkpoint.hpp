@@ -7,7 +7,6 @@
 #include "turgor/fem/energy_account.hpp"
 #include "turgor/fem/flow_solver.hpp"
 #include "turgor/fem/step_control.hpp"
-#include "turgor/run/run_case.hpp"
 
 namespace turgor {
 
@@ -16,9 +15,6 @@ void save_flow(FlowSolver& solver, const StepControl& control, const EnergyAccou
 
 /// @throws ComputationFailed when arrays are missing or of another size
 void load_flow(const Checkpoint& checkpoint, FlowSolver& solver, StepControl& control, EnergyAccount& energies);
-
-/// When factorisations failed.
-[[nodiscard]] std::vector<Warning> factorisation_warnings(const FlowSolver& solver);
 
 /// An array of a checkpoint.
 /// @throws ComputationFailed when it is missing or of another size

@@ -53,15 +53,15 @@ class LinearSolver {
   struct Petsc;
   enum class Package { mumps, umfpack };
   void prepare(Package package);
-  [[nodiscard]] bool try_to_solve(const std::vector<double>& b, std::vector<double>& x, LinearReport& report);
+  double attempt(const std::vector<double>& b, std::vector<double>& x, double residual, LinearReport& report);
   void book(int iterations, bool fresh);
 
   SparsePattern pattern_;
   std::vector<double> values_;
   std::unique_ptr<Petsc> petsc_;
   bool factorized_ = false;
-  double tolerance_ = 0;  ///< of the present solution
-  double cost_ = 0;       ///< of the factors and what was solved with them, in iterations
+  Package package_ = Package::mumps;
+  double cost_ = 0;  ///< of the factors and what was solved with them, in iterations
   int solutions_ = 0;
   long failures_ = 0;
 };
