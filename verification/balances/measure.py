@@ -1,23 +1,19 @@
 """Rows panel,quantity,x,value for check.py from the runs of run.sh in a folder: measure.py FOLDER."""
 
 import base64
-import csv
-import math
 import pathlib
 import struct
 import sys
 import xml.etree.ElementTree as xml
 
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent))
+import tables
+
 folder = pathlib.Path(sys.argv[1])
-SI = {"cm": 1e-2, "cm/s": 1e-2, "cm/s^2": 1e-2}
 
 
 def table(run, name):
-    """Columns without their units; lengths in m."""
-    with open(folder / run / name) as file:
-        rows = csv.reader(file)
-        columns = [(c.split(" [")[0], SI.get(c.split("[")[-1].rstrip("]"), 1)) for c in next(rows)]
-        return [{name: float(x) * unit for (name, unit), x in zip(columns, row)} for row in rows]
+    return tables.rows(folder / run / name)
 
 
 def energy_error(row):
@@ -28,11 +24,7 @@ def energy_error(row):
 
 def flow_rate_error(row):
     """Of the flux through the orifice against the rate of the exact volume of a sphere that is cut at its rim."""
-    r, a = row["r"], 0.03
-    centre = math.sqrt(r * r - a * a)
-    height, slope = r + centre, 1 + r / centre
-    rate = math.pi * (2 * height * slope * (3 * r - height) + height**2 * (3 - slope)) / 3
-    return abs(row["flow_rate"] / (rate * row["drdt"]) - 1)
+    return abs(row["flow_rate"] / tables.volume_rate(row, 0.03) - 1)
 
 
 def velocities_on_axis(run):

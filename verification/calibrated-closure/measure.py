@@ -4,34 +4,14 @@
 A run at a constant radial velocity gives K = F r_ch^4/(rho r^6 (dr/dt)^2), the mean over its rows with dr/dt constant, without the
 channel's own centripetal term; one with a constant acceleration gives I = -F r_ch/(rho r^4 d2r/dt2) in its last row.
 """
-import csv
 import json
 import math
 import pathlib
-import re
 import sys
 import tomllib
 
-SI = {"m": 1, "cm": 1e-2, "mm": 1e-3, "s": 1, "ms": 1e-3, "Pa": 1, "N": 1}
-
-
-def factor(unit):
-    """Of a unit such as cm/ms^2; None for those that are not needed."""
-    result = 1.0
-    for i, part in enumerate(unit.split("/")):
-        name, _, power = part.partition("^")
-        if name not in SI:
-            return None
-        result *= SI[name] ** ((-1 if i else 1) * int(power or 1))
-    return result
-
-
-def history(folder):
-    with open(folder / "history.csv") as file:
-        rows = csv.reader(file)
-        columns = [re.fullmatch(r"(\w+) \[(.*)\]", name).groups() for name in next(rows)]
-        for row in rows:
-            yield {name: float(x) * f for (name, unit), x in zip(columns, row) if (f := factor(unit)) is not None}
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent))
+import tables
 
 
 def measure(folder):
@@ -41,11 +21,11 @@ def measure(folder):
     case = tomllib.loads((folder / "resolved.toml").read_text())
     number = lambda table, key: float(case[table][key].split()[0])
     orifice, channel, density = number("inlet", "orifice_radius"), number("inlet", "channel_length"), number("fluid", "density")
-    rows = list(history(folder))
+    rows = tables.rows(folder / "history.csv")
     if rows[-1]["d2rdt2"] != 0:
         last = rows[-1]
         kappa = orifice / last["r"]
-        values = [-last["force"] * orifice / (density * last["r"] ** 4 * last["d2rdt2"])]
+        values = [tables.inertial(last, orifice, density)]
         kind, step = "inertial", "1 ms"
     else:
         rows = [row for row in rows if row["d2rdt2"] == 0 and row["drdt"] == rows[-1]["drdt"]]
@@ -56,7 +36,7 @@ def measure(folder):
             rho = math.sqrt(1 - k * k)
             h4 = (1 + rho) ** 3 * (rho * rho + 2 * rho - 1) / (16 * rho**3)
             own = 32 * math.pi * h4 * channel / row["r"] * k**2
-            values.append(row["force"] * orifice**4 / (density * row["r"] ** 6 * row["drdt"] ** 2) + own)
+            values.append(tables.centripetal(row, orifice, density) + own)
         kind, step = "centripetal", f'cfl {case["fem"]["cfl"]:g}'
     refinement = 0.008 / report["discretisation"]["h_wall_m"]
     mean = sum(values) / len(values)

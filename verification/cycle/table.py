@@ -1,6 +1,5 @@
 """Forces, balances and cost of the full cycles in a folder, beside what was recorded: table.py FOLDER REFERENCE.json [--record]."""
 
-import csv
 import json
 import math
 import pathlib
@@ -8,37 +7,19 @@ import re
 import statistics
 import sys
 
-SI = {"m": 1, "cm": 1e-2, "m/s": 1, "cm/s": 1e-2, "cm/ms": 10, "N": 1, "m^3": 1, "m^3/s": 1, "L": 1e-3, "L/s": 1e-3, "s": 1, "ms": 1e-3}
-
-
-def column(rows, name):
-    """The values of a column "name [unit]" in SI units."""
-    key = next(k for k in rows[0] if k.startswith(name + " ["))
-    return [float(row[key]) * SI.get(key[len(name) + 2 : -1], 1) for row in rows]
-
-
-def table(path):
-    with open(path) as file:
-        return list(csv.DictReader(file))
-
-
-def sphere_rate(r, rate, a):
-    """Rate of the volume of a sphere that is cut off at its rim."""
-    centre = math.sqrt(r * r - a * a)
-    height, growth = r + centre, 1 + r / centre
-    return math.pi * (2 * height * growth * (3 * r - height) + height * height * (3 - growth)) / 3 * rate
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent))
+import tables
 
 
 def measure(run, a):
-    rows = table(run / "history.csv")
-    radius, rate, force, flow = (column(rows, n) for n in ("r", "drdt", "force", "flow_rate"))
-    top = max(rate)
-    steady = lambda sign: [i for i in range(len(rows)) if abs(rate[i] - sign * top) < 1e-9 * top]
-    k = [force[i] * a**4 / (1000 * rate[i] ** 2 * radius[i] ** 6) for i in steady(-1)]
-    deflating = math.sqrt(statistics.fmean(force[i] ** 2 for i in steady(-1)))
-    inflating = [force[i] / deflating for i in steady(1)]
-    # where it moves at all: a hundredth of the greatest rate
-    flux = [abs(flow[i] / sphere_rate(radius[i], rate[i], a) - 1) for i in range(len(rows)) if abs(rate[i]) > 0.01 * top]
+    rows = tables.rows(run / "history.csv")
+    top = max(row["drdt"] for row in rows)
+    steady = lambda sign: [row for row in rows if abs(row["drdt"] - sign * top) < 1e-9 * top]
+    k = [tables.centripetal(row, a) for row in steady(-1)]
+    deflating = math.sqrt(statistics.fmean(row["force"] ** 2 for row in steady(-1)))
+    inflating = [row["force"] / deflating for row in steady(1)]
+    # where it moves at all: at a hundredth of the greatest rate
+    flux = [abs(row["flow_rate"] / tables.volume_rate(row, a) - 1) for row in rows if abs(row["drdt"]) > 0.01 * top]
     report = json.loads((run / "run.json").read_text())
     return {
         "unknowns": report["discretisation"]["unknowns"],
@@ -50,7 +31,7 @@ def measure(run, a):
         "inflation mean %": round(100 * statistics.fmean(inflating), 2),
         "inflation deviation %": round(100 * statistics.pstdev(inflating), 2),
         "flux error": float(f"{max(flux):.1e}"),
-        "volume error": float(f"{max(abs(v) for v in column(table(run / 'solver.csv'), 'volume_error')):.1e}"),
+        "volume error": float(f"{max(abs(row['volume_error']) for row in tables.rows(run / 'solver.csv')):.1e}"),
     }
 
 
