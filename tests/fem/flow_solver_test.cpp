@@ -81,6 +81,23 @@ TEST(OpenBoundary, PenaltyLeavesTheMeanTraction) {
   }
 }
 
+// Liquid that leaves in the mean and enters at the axis alone, with 2 m/s: it is that which must not bring in energy.
+TEST(OpenBoundary, LiquidThatEntersInPlacesIsPenalizedWhereTheMeanLeaves) {
+  const BalloonMesh mesh = cylinder(4);
+  const FlowSpace space(mesh);
+  const OpenBoundary inlet(space, std::vector<bool>(static_cast<std::size_t>(space.node_count()), true));
+  std::vector<double> velocity(static_cast<std::size_t>(space.size()), 0.0);
+  for (const int node : space.nodes_on(Side::inlet)) {
+    const bool axis = space.nodes()[static_cast<std::size_t>(node)][0] == 0;
+    velocity[static_cast<std::size_t>(space.velocity(node, 1))] = axis ? 2 : -1;
+  }
+  EXPECT_LT(inlet.inflow(velocity), 0);
+  EXPECT_EQ(inlet.entering_speed(velocity), 2);
+  EXPECT_GT(inlet.powers(velocity, velocity).penalty, 0);
+  for (double& u : velocity) u = -std::abs(u);
+  EXPECT_EQ(inlet.entering_speed(velocity), 0);  // pure outflow needs no penalty
+}
+
 // The weak form tested with the velocity itself: powers balance to the tolerance of Newton's method.
 TEST(FlowBalance, PowersAddUp) {
   const BalloonMesh mesh = cylinder(6);
