@@ -1,8 +1,10 @@
 #include "turgor/fem/elastic_wall.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include "spherical_cap.hpp"
 #include "turgor/base/errors.hpp"
@@ -48,17 +50,42 @@ Eigen::VectorXd start_of(const Membrane& membrane, const Case& c) {
   return hold_volume(membrane, slack_state(membrane), volume).places;
 }
 
+std::vector<ToroidalCoordinates> coordinates_of(const FlowSpace& space, const std::vector<int>& nodes, double a) {
+  std::vector<ToroidalCoordinates> all;
+  for (const int node : nodes) all.push_back(toroidal_coordinates(space.nodes()[static_cast<std::size_t>(node)], a));
+  return all;
+}
+
 }  // namespace
 
 ElasticWall::ElasticWall(const FlowSpace& space, const Case& c)
     : space_(space),
       orifice_radius_(c.parameters.orifice_radius),
-      radius_(c.parameters.radius),
       nodes_(chain_of(space)),
       membrane_(membrane_of(space, nodes_, c)),
-      sphere_(orifice_radius_, radius_),
-      extension_(space, nodes_),
+      reference_(coordinates_of(space, nodes_, orifice_radius_)),
+      followers_(followers()),
       start_(start_of(membrane_, c)) {}
+
+/// All nodes above the orifice's plane but the wall's. Between the rim, where tau is infinite, and the wall's next
+/// node, they follow that one.
+std::vector<ElasticWall::Follower> ElasticWall::followers() const {
+  const std::set<int> wall(nodes_.begin(), nodes_.end());
+  std::vector<Follower> all;
+  for (std::size_t i = 0; i < space_.nodes().size(); ++i) {
+    const Point2& X = space_.nodes()[i];
+    if (X[1] <= 0 || wall.contains(static_cast<int>(i))) continue;
+    const ToroidalCoordinates at = toroidal_coordinates(X, orifice_radius_);
+    const auto after = std::find_if(reference_.begin() + 2, reference_.end() - 1,
+                                    [&](const ToroidalCoordinates& on_wall) { return on_wall.tau <= at.tau; });
+    const auto behind = static_cast<std::size_t>(after - reference_.begin()) - 1;
+    const double from = reference_[behind].tau;
+    const double weight = std::clamp((from - at.tau) / (from - reference_[behind + 1].tau), 0.0, 1.0);
+    all.push_back(
+        {i, at, at.rest / std::lerp(reference_[behind].rest, reference_[behind + 1].rest, weight), behind, weight});
+  }
+  return all;
+}
 
 FlexibleWall::Resistance ElasticWall::resistance(const Motion& motion) const {
   const MembraneForm elastic = membrane_.elastic(motion.places);
@@ -73,24 +100,33 @@ FlexibleWall::Resistance ElasticWall::resistance(const Motion& motion) const {
   return wall;
 }
 
-/// Of the sphere through the rim with the volume of these places.
-double ElasticWall::equivalent_radius(const Eigen::VectorXd& places) const {
-  const double volume = 2 * std::numbers::pi * membrane_.volume(places).value;
-  if (!(volume > cap_volume(1.001 * orifice_radius_, orifice_radius_))) {
-    throw ComputationFailed("the balloon is empty");
-  }
-  return cap_radius(volume, orifice_radius_, radius_);
-}
-
 std::vector<double> ElasticWall::mesh(const Eigen::VectorXd& places) const {
-  const double radius = equivalent_radius(places);
   std::vector<double> all(2 * space_.nodes().size());
   for (std::size_t i = 0; i < space_.nodes().size(); ++i) {
-    const Point2 x = sphere_.position(space_.nodes()[i], radius);
-    all[2 * i] = x[0];
-    all[2 * i + 1] = x[1];
+    for (std::size_t c = 0; c < 2; ++c) all[2 * i + c] = space_.nodes()[i][c];
   }
-  extension_.add(places - of_wall(all), all);
+  struct Change {
+    double tau;    // added
+    double angle;  // factor of pi - sigma
+  };
+  std::vector<Change> changes(nodes_.size());
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    const auto at = static_cast<Eigen::Index>(2 * k);
+    const Point2 x{places[at], places[at + 1]};
+    for (std::size_t c = 0; c < 2; ++c) all[2 * static_cast<std::size_t>(nodes_[k]) + c] = x[c];
+    if (k == 0) continue;  // the rim has no angle
+    const ToroidalCoordinates now = toroidal_coordinates(x, orifice_radius_);
+    if (!(now.rest > 0)) throw ComputationFailed("the wall has come down to the orifice");
+    changes[k] = {now.tau - reference_[k].tau, now.rest / reference_[k].rest};
+  }
+  for (const Follower& follower : followers_) {
+    const Change& one = changes[follower.behind];
+    const Change& other = changes[follower.behind + 1];
+    const double tau = follower.reference.tau + follower.share * std::lerp(one.tau, other.tau, follower.weight);
+    const double rest = follower.reference.rest * std::lerp(one.angle, other.angle, follower.weight);
+    const Point2 x = toroidal_place({tau, std::numbers::pi - rest, rest}, orifice_radius_);
+    for (std::size_t c = 0; c < 2; ++c) all[2 * follower.node + c] = x[c];
+  }
   return all;
 }
 

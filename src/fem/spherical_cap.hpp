@@ -1,7 +1,6 @@
 #pragma once
 // A sphere of radius r through the rim of an orifice of radius a, cut off by the orifice's plane.
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -19,18 +18,6 @@ inline double cap_volume_rate(double r, double a) {
   const double height = r + centre;
   const double height_rate = 1 + r / centre;
   return std::numbers::pi * (2 * height * height_rate * (3 * r - height) + height * height * (3 - height_rate)) / 3;
-}
-
-/// The radius of a volume, by Newton's method from a guess above a.
-inline double cap_radius(double volume, double a, double guess) {
-  constexpr int most = 60;
-  double r = guess;
-  for (int i = 0; i < most; ++i) {
-    const double change = (volume - cap_volume(r, a)) / cap_volume_rate(r, a);
-    r = std::max(r + change, a + (r - a) / 10);
-    if (std::abs(change) <= 1e-15 * r) break;
-  }
-  return r;
 }
 
 }  // namespace turgor

@@ -3,14 +3,16 @@
 
 #include "turgor/case/case.hpp"
 #include "turgor/fem/flexible_wall.hpp"
-#include "turgor/fem/mesh_extension.hpp"
+#include "turgor/fem/flow_space.hpp"
 #include "turgor/membrane/membrane.hpp"
-#include "turgor/mesh/toroidal_motion.hpp"
+#include "turgor/mesh/toroidal_coordinates.hpp"
 
 namespace turgor {
 
-/// The membrane of a case. The mesh in it follows by toroidal coordinates, as that of a sphere of the same volume, and
-/// harmonically from there to the wall.
+/// The membrane of a case. The mesh in it follows in toroidal coordinates about the rim: along a line of constant tau
+/// of the stress-free balloon, pi - sigma is scaled as it is at the wall, and tau changes in proportion to it. So a
+/// wall that turns about the rim turns the cells there with it, all by the same share, however small they are; a
+/// balloon that stays a sphere has the mesh of ToroidalMotion.
 class ElasticWall final : public FlexibleWall {
  public:
   /// @param space  on a mesh of the stress-free balloon
@@ -27,15 +29,22 @@ class ElasticWall final : public FlexibleWall {
   [[nodiscard]] Eigen::VectorXd of_wall(const std::vector<double>& all) const;
 
  private:
-  [[nodiscard]] double equivalent_radius(const Eigen::VectorXd& places) const;
+  /// How a node of the mesh follows the wall.
+  struct Follower {
+    std::size_t node;
+    ToroidalCoordinates reference;
+    double share;        ///< of the wall's angle pi - sigma
+    std::size_t behind;  ///< nodes_[behind] and the one after it are the nodes of the wall about its tau
+    double weight;       ///< of the latter
+  };
+  [[nodiscard]] std::vector<Follower> followers() const;
 
   const FlowSpace& space_;
   double orifice_radius_;
-  double radius_;  ///< stress-free
   std::vector<int> nodes_;
   Membrane membrane_;
-  ToroidalMotion sphere_;
-  MeshExtension extension_;
+  std::vector<ToroidalCoordinates> reference_;  ///< of the wall's nodes
+  std::vector<Follower> followers_;
   Eigen::VectorXd start_;
 };
 
