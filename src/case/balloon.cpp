@@ -85,6 +85,14 @@ void declare_balloon(Schema& schema) {
               .choices = {"free", "zero"},
               .fallback = "free",
               .meaning = "for `turgor fem`: the radial velocity at the inlet plane, free of shear or held at zero"});
+  schema.add({.path = "inlet.pressure",
+              .kind = text,
+              .choices = {"static", "total"},
+              .fallback = "static",
+              .meaning =
+                  "for `turgor fem`: what the pressure program is of entering liquid, the static pressure at the "
+                  "inlet plane (the paper's), or the total one, rho U^2/2 of the mean velocity U more, as from a "
+                  "vessel at rest; leaving liquid has the static one in both"});
   schema.add({.path = "inlet.inflow_penalty",
               .kind = number,
               .range = not_negative,
@@ -145,7 +153,7 @@ void read_balloon(Reader& reader, Case& c) {
   p.orifice_radius = orifice.value_or(1);
   p.channel_length = reader.number("inlet.channel_length").value_or(0);
   c.inlet = {reader.text("inlet.wall") == "slip", reader.text("inlet.tangential") != "zero",
-             reader.number("inlet.inflow_penalty").value_or(0)};
+             reader.text("inlet.pressure") == "total", reader.number("inlet.inflow_penalty").value_or(0)};
   if (radius && thickness && *thickness >= *radius) {
     reader.complain("balloon.thickness", "the wall is as thick as the balloon",
                     "must be less than balloon.radius, and much less for a membrane");

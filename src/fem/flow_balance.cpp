@@ -83,7 +83,7 @@ FlowBalance flow_balance(const FlowSolver& solver, const std::function<Point2(co
   sum.inflow = turn * inlet.inflow(solver.solution());
   const OpenBoundary::Powers powers = inlet.powers(solver.solution(), solver.frozen());
   const FlowDefinition& flow = solver.definition();
-  sum.inlet_power = (flow.inlet_pressure ? flow.inlet_pressure(solver.time()) : 0.0) * sum.inflow;
+  sum.inlet_power = solver.inlet_pressure(solver.solution()) * sum.inflow;
   sum.inlet_kinetic = turn * flow.density * powers.kinetic;
   sum.penalty_loss = turn * flow.density * flow.inflow_penalty * powers.penalty;
   return sum;

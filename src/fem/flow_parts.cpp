@@ -20,6 +20,7 @@ FlowDefinition liquid_of(const Case& c) {
   flow.viscosity = c.parameters.fluid_viscosity;
   flow.slip = c.inlet.slip;
   flow.tangential_zero = !c.inlet.tangential_free;
+  flow.total_pressure = c.inlet.total_pressure;
   flow.inflow_penalty = c.inlet.inflow_penalty;
   flow.inlet_pressure = [&c](double t) { return c.pressure(t); };
   return flow;

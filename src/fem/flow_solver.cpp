@@ -289,16 +289,25 @@ double FlowSolver::assemble(const std::vector<double>& unknowns, std::vector<dou
   return least;
 }
 
+double FlowSolver::inlet_pressure(const std::vector<double>& unknowns) const {
+  const double given = flow_.inlet_pressure ? flow_.inlet_pressure(step_time_) : 0;
+  if (!flow_.total_pressure) return given;
+  const double speed = inlet_.mean_inflow(unknowns);
+  return given - flow_.density / 2 * speed * speed;
+}
+
 void FlowSolver::assemble_inlet(const std::vector<double>& unknowns, std::vector<double>& residual, bool tangent) {
   const std::vector<int>& nodes = inlet_.nodes();
   const double rho = flow_.density * flow_.inflow_penalty;
   const double speed = inlet_.entering_speed(frozen_);
   const std::vector<double> sideways = inlet_.tangential(frozen_);
+  const double dynamic_rate =
+      flow_.total_pressure ? flow_.density * inlet_.mean_inflow(unknowns) : 0;  // d(rho U^2/2)/dU
   std::vector<double>& matrix = linear_->values();
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const int radial = space_.velocity(nodes[i], 0);
     const int axial = space_.velocity(nodes[i], 1);
-    Point2 traction{0.0, flow_.inlet_pressure ? flow_.inlet_pressure(step_time_) : 0.0};  // the normal points down
+    Point2 traction{0.0, inlet_pressure(unknowns)};  // the normal points down
     if (flow_.inlet_traction) {
       traction =
           flow_.inlet_traction({positions_[2 * index(nodes[i])], positions_[2 * index(nodes[i]) + 1]}, step_time_);
@@ -313,7 +322,8 @@ void FlowSolver::assemble_inlet(const std::vector<double>& unknowns, std::vector
       if (!tangent) continue;
       const std::size_t at = 2 * (i * nodes.size() + j);
       if (inlet_places_[at] >= 0) matrix[index(inlet_places_[at])] += across;
-      if (inlet_places_[at + 1] >= 0) matrix[index(inlet_places_[at + 1])] += along;
+      const double dynamic = dynamic_rate * inlet_.weight(i) * inlet_.weight(j) / inlet_.area();
+      if (inlet_places_[at + 1] >= 0) matrix[index(inlet_places_[at + 1])] += along + dynamic;
     }
   }
 }

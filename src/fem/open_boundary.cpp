@@ -82,7 +82,7 @@ double OpenBoundary::inflow(const std::vector<double>& solution) const {
 }
 
 double OpenBoundary::entering_speed(const std::vector<double>& velocity) const {
-  double speed = std::max(inflow(velocity) / area_, 0.0);
+  double speed = mean_inflow(velocity);
   for (const int node : nodes_) speed = std::max(speed, velocity[static_cast<std::size_t>(space_.velocity(node, 1))]);
   return speed;
 }

@@ -85,6 +85,7 @@ TEST(Case, FiniteElementsHaveTheirDefaults) {
   const Case c = read_case(paper_case);
   EXPECT_FALSE(c.inlet.slip);
   EXPECT_TRUE(c.inlet.tangential_free);
+  EXPECT_FALSE(c.inlet.total_pressure);
   EXPECT_EQ(c.inlet.inflow_penalty, 0.5);
   EXPECT_EQ(c.fem.scheme, FemScheme::bdf2);
   EXPECT_EQ(c.fem.cfl, 0.5);
@@ -123,13 +124,14 @@ TEST(Case, TheWallHasTheBendingStiffnessOfItsThickness) {
 }
 
 TEST(Case, FiniteElementsAreReadInSiUnits) {
-  const Case c =
-      read_case(paper_case, {"inlet.wall=slip", "inlet.tangential=zero", "inlet.inflow_penalty=5", "fem.scheme=bdf1",
-                             "fem.time_step=10 ms", "fem.h_rim=0.25 mm", "fem.h_orifice=1 mm", "fem.h_wall=1 cm",
-                             "fem.tolerance=1e-6", "fem.max_iterations=7", "fem.max_steps=99",
-                             "fem.checkpoint_every=2 min", "fem.field_times=[\"0 s\", \"100 ms\"]"});
+  const Case c = read_case(
+      paper_case, {"inlet.wall=slip", "inlet.tangential=zero", "inlet.pressure=total", "inlet.inflow_penalty=5",
+                   "fem.scheme=bdf1", "fem.time_step=10 ms", "fem.h_rim=0.25 mm", "fem.h_orifice=1 mm",
+                   "fem.h_wall=1 cm", "fem.tolerance=1e-6", "fem.max_iterations=7", "fem.max_steps=99",
+                   "fem.checkpoint_every=2 min", "fem.field_times=[\"0 s\", \"100 ms\"]"});
   EXPECT_TRUE(c.inlet.slip);
   EXPECT_FALSE(c.inlet.tangential_free);
+  EXPECT_TRUE(c.inlet.total_pressure);
   EXPECT_EQ(c.inlet.inflow_penalty, 5);
   EXPECT_EQ(c.fem.scheme, FemScheme::bdf1);
   EXPECT_EQ(c.fem.cfl, 0);

@@ -40,6 +40,7 @@ struct SolveSettings {
 struct InletConditions {
   bool slip;              ///< the channel's wall lets the liquid slip along it
   bool tangential_free;   ///< no shear traction at the inlet plane, as opposed to no radial velocity
+  bool total_pressure;    ///< entering liquid has the pressure at rest outside, as opposed to at the inlet plane
   double inflow_penalty;  ///< beta: keeps the inflow profile at its mean by a traction beta rho U (u_n - U)
 };
 

@@ -26,8 +26,9 @@ struct FlowDefinition {
   std::function<Point2(const Point2& X, double t)> position;
   std::function<Point2(const Point2& X, double t)> mesh_velocity;  ///< [m/s]; on the wall also the liquid's
   std::function<double(double t)> inlet_pressure;                  ///< gauge [Pa]
-  bool slip = false;                                               ///< along the channel's wall
-  bool tangential_zero = false;                                    ///< u_r = 0 at the inlet
+  bool total_pressure = false;   ///< while liquid enters, inlet_pressure is its static plus mean dynamic pressure
+  bool slip = false;             ///< along the channel's wall
+  bool tangential_zero = false;  ///< u_r = 0 at the inlet
   double inflow_penalty = 0.5;
   double supg = 1;
   double grad_div = 0.5;
@@ -105,6 +106,8 @@ class FlowSolver {
   [[nodiscard]] const std::vector<double>& frozen() const { return frozen_; }
   [[nodiscard]] const CellSettings& settings() const { return settings_; }
   [[nodiscard]] CellState state_of(const FlowSpace::Cell& cell) const;
+  /// Mean normal traction at the inlet, at the present time [Pa].
+  [[nodiscard]] double inlet_pressure(const std::vector<double>& unknowns) const;
 
  private:
   void move_mesh(double t);

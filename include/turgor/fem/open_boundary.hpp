@@ -1,6 +1,7 @@
 #pragma once
 // The inlet: mean traction given, velocity free, and stable when liquid comes in.
 
+#include <algorithm>
 #include <vector>
 
 #include "turgor/fem/flow_space.hpp"
@@ -20,6 +21,10 @@ class OpenBoundary {
   [[nodiscard]] const std::vector<int>& nodes() const { return nodes_; }
   /// Flux into the balloon over 2 pi [m^3/s/rad].
   [[nodiscard]] double inflow(const std::vector<double>& solution) const;
+  /// max(mean of u_z over all of the plane, 0) [m/s]
+  [[nodiscard]] double mean_inflow(const std::vector<double>& solution) const {
+    return std::max(inflow(solution) / area_, 0.0);
+  }
   /// Area over 2 pi [m^2/rad].
   [[nodiscard]] double area() const { return area_; }
   /// Force of a unit pressure on the axial velocity of nodes()[i] [m^2/rad].
