@@ -44,6 +44,7 @@ void warn_of_limit(const Case& c, const Membrane& membrane, double greatest, std
   if (spheres.empty() || greatest < near * spheres.front().pressure) return;
   const std::optional<MembraneState> limit = first_limit(c, membrane, spheres.front());
   if (!limit || greatest <= limit->pressure) return;
+  if (c.stretch * c.parameters.radius > limit->radius) return;  // it starts beyond, and may well be on the next branch
   const std::optional<MembraneState> beyond = state_beyond(c, membrane, *limit, greatest);
   warnings.push_back(
       {"membrane-limit", "the gauge pressure of [pressure] reaches " + rounded(greatest, 5) +

@@ -216,6 +216,7 @@ TEST(MembraneWarnings, NoneBelowTheLimitPoint) {
   EXPECT_TRUE(warnings(R"([{ to = "44.8 kPa", over = "1 s" }])").empty());  // above (3.1)'s 44.72, below 44.81
   EXPECT_TRUE(warnings(R"([{ to = "-1 kPa", over = "1 s" }])").empty());
   EXPECT_TRUE(warnings(R"([{ to = "500 Pa", over = "1 s" }])", "1.0", "material-fung").empty());
+  EXPECT_TRUE(warnings(R"([{ step = "46 kPa" }, { hold = "1 s" }])", "6.0").empty());  // on the second branch already
 }
 
 TEST(MembraneWarnings, SnapsOrBurstsAboveIt) {

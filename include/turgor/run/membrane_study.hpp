@@ -68,8 +68,9 @@ struct MembraneStudy {
 [[nodiscard]] std::vector<MembraneRow> shapes_of(const MembraneStudy& study);
 
 /// What the statics of the membrane say of a coupled run before it begins: "membrane-limit" when the pressure goes
-/// beyond the limit point, with the state that it snaps to; "membrane-buckling" when suction or a start below the slack
-/// volume buckles it. A second's work at most, and none for a program that stays below 0.9 of (3.1)'s limit point.
+/// beyond the limit point and the start is below it, with the state that it snaps to; "membrane-buckling" when suction
+/// or a start below the slack volume buckles it. A second's work at most, and none for a program that stays below 0.9
+/// of (3.1)'s limit point.
 /// @throws InvalidInput naming initial.stretch when there is no state of rest to start from
 [[nodiscard]] std::vector<Warning> membrane_warnings(const Case& c);
 
