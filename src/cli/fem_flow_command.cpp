@@ -71,6 +71,9 @@ int compute_fem_flow(const FemFlowArguments& arguments, const FlowProblemMaker& 
                        earlier_run(arguments));
 
   const bool talks = !arguments.quiet && !arguments.input.json;
+  if (talks) {  // while there is time to stop
+    for (const Warning& warning : problem->warnings()) std::cerr << "warning: " << warning.text << "\n";
+  }
   ProgressLine line("simulated seconds", c.solve.t_end, talks, folder.start() ? folder.start()->time : 0);
   FlowRunOptions options{.progress =
                              [&](double time) {

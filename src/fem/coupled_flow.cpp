@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -10,6 +11,7 @@
 #include "turgor/fem/elastic_wall.hpp"
 #include "turgor/fem/flow_checkpoint.hpp"
 #include "turgor/fem/flow_fields.hpp"
+#include "turgor/run/membrane_study.hpp"
 
 namespace turgor {
 
@@ -41,7 +43,8 @@ class CoupledFlow final : public FlowProblem {
         control_(case_.fem, {.length = case_.parameters.orifice_radius,
                              .speed = [this](double) { return speed(); },
                              .phase = [this] { return segment_duration(); },
-                             .error_limit = error_limit()}),
+                             .error_limit = error_limit(),
+                             .program = "[pressure]"}),
         balance_(flow_balance(solver_, no_mode)),
         start_volume_(balance_.volume) {}
 
@@ -52,7 +55,7 @@ class CoupledFlow final : public FlowProblem {
   [[nodiscard]] VtuGrid fields() const override { return flow_fields(solver_); }
   void save(Checkpoint& checkpoint) override;
   void load(const Checkpoint& checkpoint) override;
-  [[nodiscard]] std::vector<Warning> warnings() const override { return factorisation_warnings(solver_); }
+  [[nodiscard]] std::vector<Warning> warnings() const override;
 
  private:
   static Point2 no_mode(const Point2& /*X*/) { return {}; }
@@ -63,6 +66,7 @@ class CoupledFlow final : public FlowProblem {
   [[nodiscard]] double radius_of(const Eigen::VectorXd& places) const;
 
   Case case_;
+  std::vector<Warning> static_warnings_ = membrane_warnings(case_);
   BalloonMesh mesh_;
   FlowSpace space_;
   std::shared_ptr<ElasticWall> wall_;
@@ -144,6 +148,12 @@ FlowRow CoupledFlow::row() const {
   row.elastic = turn * membrane.elastic(places).value;
   row.wall_kinetic = turn / 2 * velocity.dot(membrane.mass() * velocity);
   return row;
+}
+
+std::vector<Warning> CoupledFlow::warnings() const {
+  std::vector<Warning> all = static_warnings_;
+  std::ranges::copy(factorisation_warnings(solver_), std::back_inserter(all));
+  return all;
 }
 
 void CoupledFlow::save(Checkpoint& checkpoint) {

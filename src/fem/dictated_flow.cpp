@@ -34,7 +34,8 @@ class DictatedFlow final : public FlowProblem {
         control_(case_.fem, {.length = case_.parameters.orifice_radius,
                              .speed = [this](double t) { return courant_speed(t); },
                              .phase = [this] { return phase_duration(); },
-                             .error_limit = error_limit()}),
+                             .error_limit = error_limit(),
+                             .program = "[motion]"}),
         profile_(space_, case_.parameters.orifice_radius),
         balance_(balance()) {}
 

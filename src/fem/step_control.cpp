@@ -64,8 +64,17 @@ void StepControl::refuse_collapse(const FlowSolver& solver) const {
   if (speed > 0) wanted = std::min(wanted, settings_.cfl * needs_.length / speed);
   if (last_step(solver) > collapsed * wanted) return;
   throw ComputationFailed("steps have shrunk to " + rounded(last_step(solver), 3) + " s, where fem.cfl allows " +
-                          rounded(wanted, 3) + " s; try a finer mesh, a smaller fem.cfl" +
-                          (settings_.error_tolerance > 0 ? ", or a greater fem.error_tolerance" : ""));
+                          rounded(wanted, 3) + " s" + advice());
+}
+
+/// What to do about steps that cannot be taken.
+std::string StepControl::advice() const {
+  std::string text = ": " + needs_.program +
+                     " may change faster there than mesh and steps can follow; try longer or smooth " +
+                     "ramps, a finer mesh (fem.h_rim, fem.h_wall), a " +
+                     (settings_.time_step > 0 ? "shorter fem.time_step or fem.cfl in place of it" : "smaller fem.cfl");
+  if (settings_.error_tolerance > 0) text += ", a greater fem.error_tolerance";
+  return text;
 }
 
 SolverRow StepControl::take(FlowSolver& solver, double t_stop) {
@@ -85,7 +94,8 @@ SolverRow StepControl::take(FlowSolver& solver, double t_stop) {
       problem = failure.what();
     }
     if (attempt == most_halvings || settings_.time_step > 0) {
-      throw ComputationFailed(problem + ", with a step of " + rounded(t - before, 3) + " s");
+      throw ComputationFailed(problem + ", with a step of " + rounded(t - before, 3) +
+                              " s from t = " + rounded(before, 6) + " s" + advice());
     }
     dt = (t - before) / 2;
     reduced_ /= 2;

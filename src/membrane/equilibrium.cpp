@@ -104,8 +104,8 @@ MembraneState march(const Membrane& membrane, const MembraneState& start, Held h
 }
 
 std::string state_text(const MembraneState& state) {
-  return "a gauge pressure of " + shortest(state.pressure) + " Pa, radius " + shortest(state.radius) + " m, volume " +
-         shortest(state.volume) + " m^3";
+  return "a gauge pressure of " + rounded(state.pressure, 8) + " Pa, radius " + rounded(state.radius, 8) +
+         " m, volume " + rounded(state.volume, 8) + " m^3";
 }
 
 }  // namespace
@@ -121,7 +121,9 @@ MembraneState hold_pressure(const Membrane& membrane, const MembraneState& start
   if (std::abs(end.pressure - pressure) <= least) return end;
   throw ComputationFailed("no stable state of rest is within reach at a gauge pressure of " + shortest(pressure) +
                           " Pa; the last one is at " + state_text(end) +
-                          ". Beyond a limit point the membrane bursts or jumps; control the volume to go on");
+                          (pressure > 0
+                               ? ". Beyond a limit point the membrane bursts or jumps; control the volume to go on"
+                               : ". Under suction the membrane buckles"));
 }
 
 MembraneState hold_volume(const Membrane& membrane, const MembraneState& start, double volume) {
@@ -132,8 +134,8 @@ MembraneState hold_volume(const Membrane& membrane, const MembraneState& start, 
   const MembraneState end =
       march(membrane, start, Held::volume, volume, least, [](const MembraneState&) { return true; });
   if (std::abs(end.volume - volume) <= least) return end;
-  throw ComputationFailed("no state of rest is found at a volume of " + shortest(volume) + " m^3; the last one is at " +
-                          state_text(end));
+  throw ComputationFailed("no state of rest is found at a volume of " + rounded(volume, 8) +
+                          " m^3; the last one is at " + state_text(end));
 }
 
 }  // namespace turgor

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -15,17 +16,27 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// d0 mu/r0, or the pressure in a sphere of a volume where that is greater: a material that stiffens would make the
+/// branch as long as its pressure is high.
+double typical_pressure(const Membrane& membrane, double radius, double volume) {
+  const double stretch = std::cbrt(volume * 3 / (4 * std::numbers::pi)) / radius;
+  const MembraneWall& wall = membrane.wall();
+  const double there = strain_energy(wall.material, stretch).first / (stretch * stretch);
+  return wall.thickness / radius * std::max(shear_modulus(wall.material), std::isfinite(there) ? there : 0.0);
+}
+
 /// The balance of forces as a branch: unknowns are the free places over the radius and over the root of their number,
 /// the radius of a sphere of the same volume, and the pressure, all of the order of one.
 class Branching {
  public:
-  Branching(const Membrane& membrane, const MembraneState& start)
+  /// @param volume  at which the branch is to end [m^3]
+  Branching(const Membrane& membrane, const MembraneState& start, double volume)
       : membrane_(membrane),
         places_(start.places),
         unknowns_(balance_of(membrane, start.places, start.pressure, membrane.volume(start.places)).unknowns),
         radius_(slack_state(membrane).radius),
         length_(radius_ * std::sqrt(static_cast<double>(unknowns_.size()))),
-        pressure_(membrane.wall().thickness * shear_modulus(membrane.wall().material) / radius_) {}
+        pressure_(typical_pressure(membrane, radius_, volume)) {}
 
   [[nodiscard]] double scaled_volume(double volume) const {
     return std::cbrt(volume * 3 / (4 * std::numbers::pi)) / radius_;
@@ -95,7 +106,7 @@ InflationCurve inflation_curve(const Membrane& membrane, const MembraneState& st
     throw InvalidInput("volume", shortest(volume) + " m^3", "must be finite and greater than at the start",
                        "that is " + shortest(start.volume) + " m^3");
   }
-  const Branching branching(membrane, start);
+  const Branching branching(membrane, start, volume);
   const VectorXd from = branching.scaled(start);
   ContinuationProblem problem;
   problem.residual = [&](const VectorXd& x) { return branching.residual(x); };

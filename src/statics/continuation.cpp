@@ -39,9 +39,12 @@ class Follower {
   [[nodiscard]] std::optional<VectorXd> solve(VectorXd x, const Plane& plane) const;
   /// Unit tangent at a solution, pointing as `along` does; nothing where there is no single one.
   [[nodiscard]] std::optional<VectorXd> tangent(const VectorXd& x, const VectorXd& along) const;
+  /// That solution with its tangent.
+  [[nodiscard]] std::optional<BranchPoint> corrected(const VectorXd& guess, const Plane& plane,
+                                                     const VectorXd& along) const;
   [[nodiscard]] std::optional<BranchPoint> point(const BranchPoint& from, double distance) const;
   /// The turning point of the parameter between two points.
-  [[nodiscard]] std::optional<BranchPoint> fold(const BranchPoint& from, double distance) const;
+  [[nodiscard]] std::optional<BranchPoint> fold(const BranchPoint& from, const BranchPoint& to) const;
   /// Where the branch crosses the box's boundary less than `distance` ahead.
   [[nodiscard]] std::optional<BranchPoint> exit(const BranchPoint& from, double distance) const;
   /// Keeps a point, with the fold before it.
@@ -87,22 +90,28 @@ std::optional<VectorXd> Follower::tangent(const VectorXd& x, const VectorXd& alo
   return direction / length;
 }
 
-std::optional<BranchPoint> Follower::point(const BranchPoint& from, double distance) const {
-  const VectorXd guess = from.x + distance * from.tangent;
-  const auto x = solve(guess, {from.tangent, from.x, distance});
+std::optional<BranchPoint> Follower::corrected(const VectorXd& guess, const Plane& plane, const VectorXd& along) const {
+  const auto x = solve(guess, plane);
   if (!x) return std::nullopt;
-  const auto direction = tangent(*x, from.tangent);
+  const auto direction = tangent(*x, along);
   if (!direction) return std::nullopt;
   return BranchPoint{*x, *direction};
 }
 
-std::optional<BranchPoint> Follower::fold(const BranchPoint& from, double distance) const {
-  const auto rise = [&](double s) {
-    const auto at = point(from, s);
+std::optional<BranchPoint> Follower::point(const BranchPoint& from, double distance) const {
+  return corrected(from.x + distance * from.tangent, {from.tangent, from.x, distance}, from.tangent);
+}
+
+std::optional<BranchPoint> Follower::fold(const BranchPoint& from, const BranchPoint& to) const {
+  const VectorXd way = to.x - from.x;  // not along the tangent, which may lead out of the box
+  const auto between = [&](double share) {
+    return corrected(from.x + share * way, {from.tangent, from.x, share * from.tangent.dot(way)}, from.tangent);
+  };
+  const auto rise = [&](double share) {
+    const auto at = between(share);
     return at ? at->tangent(at->tangent.size() - 1) : std::numeric_limits<double>::quiet_NaN();
   };
-  const double s = root(rise, 0, distance);
-  auto found = point(from, s);
+  auto found = between(root(rise, 0, 1));
   if (found) found->fold = true;
   return found;
 }
@@ -140,7 +149,7 @@ void Follower::keep(Branch& branch, const BranchPoint& next) const {
   const BranchPoint& last = branch.points.back();
   const Index parameter = next.x.size() - 1;
   if ((last.tangent(parameter) > 0) != (next.tangent(parameter) > 0)) {
-    if (auto turning = fold(last, last.tangent.dot(next.x - last.x))) branch.points.push_back(std::move(*turning));
+    if (auto turning = fold(last, next)) branch.points.push_back(std::move(*turning));
   }
   branch.points.push_back(next);
 }

@@ -232,6 +232,7 @@ TEST(DictatedFlow, SaysThatAFixedStepIsTooLong) {
     FAIL() << "expected ComputationFailed";
   } catch (const ComputationFailed& failure) {
     EXPECT_NE(std::string(failure.what()).find("with a step of"), std::string::npos) << failure.what();
+    EXPECT_NE(std::string(failure.what()).find("[motion]"), std::string::npos) << failure.what();
   }
 }
 

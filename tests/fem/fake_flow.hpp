@@ -16,8 +16,10 @@ namespace turgor::test {
 
 class FakeFlow : public FlowProblem {
  public:
-  /// @param before  called before a step with the number of steps taken since the start of this object
-  explicit FakeFlow(const Case& c, std::function<void(long)> before = {}) : case_(c), before_(std::move(before)) {}
+  /// @param before    called before a step with the number of steps taken since the start of this object
+  /// @param warnings  that it has from the start
+  explicit FakeFlow(const Case& c, std::function<void(long)> before = {}, std::vector<Warning> warnings = {})
+      : case_(c), before_(std::move(before)), warnings_(std::move(warnings)) {}
 
   [[nodiscard]] FlowSize size() const override { return {1, 2}; }
   [[nodiscard]] double time() const override { return time_; }
@@ -72,6 +74,8 @@ class FakeFlow : public FlowProblem {
     state_ = checkpoint.arrays.at("state").at(0);
   }
 
+  [[nodiscard]] std::vector<Warning> warnings() const override { return warnings_; }
+
   /// Where steps have ended.
   [[nodiscard]] const std::vector<double>& stops() const { return stops_; }
   void spoil() { state_ = std::numeric_limits<double>::quiet_NaN(); }
@@ -79,6 +83,7 @@ class FakeFlow : public FlowProblem {
  private:
   Case case_;
   std::function<void(long)> before_;
+  std::vector<Warning> warnings_;
   double time_ = 0;
   double state_ = 0.4;
   long taken_ = 0;

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "cli/guarded.hpp"
@@ -25,8 +26,9 @@ struct Finished {
 };
 
 /// Runs the command on a shipped motion with the fake flow's settings.
-/// @param before  as for FakeFlow
-Finished fem_flow(std::vector<std::string> words, const std::function<void(long)>& before = {}) {
+/// @param before, warnings  as for FakeFlow
+Finished fem_flow(std::vector<std::string> words, const std::function<void(long)>& before = {},
+                  const std::vector<Warning>& warnings = {}) {
   const std::string file = std::string(TURGOR_CASES) + "/motion-orifice-30mm.toml";
   words.insert(words.begin(),
                {"flow", file, "--no-pictures", "--set", "solve.samples=11", "--set", "fem.time_step=0.1 s"});
@@ -40,7 +42,7 @@ Finished fem_flow(std::vector<std::string> words, const std::function<void(long)
   try {
     app.parse(words);
     code = cli::guarded(arguments.input.json, [&] {
-      const auto make = [&](const Case& c) { return std::make_unique<FakeFlow>(c, before); };
+      const auto make = [&](const Case& c) { return std::make_unique<FakeFlow>(c, before, warnings); };
       return cli::compute_fem_flow(arguments, make, {{"deal.II", "9.4.1"}});
     });
   } catch (const CLI::ParseError& error) {
@@ -74,6 +76,23 @@ TEST(FemFlowCommand, PrintsTheReport) {
   const auto report = nlohmann::json::parse(run.out);
   EXPECT_EQ(report.at("versions").at("deal.II"), "9.4.1");
   EXPECT_EQ(report.at("discretisation").at("unknowns"), 2);
+}
+
+// What is known before the run is said before it, while there is time to stop.
+TEST(FemFlowCommand, WarnsBeforeItBegins) {
+  const Folder folder;
+  const auto run = fem_flow({"-o", (folder / "run").string()}, [](long taken) {
+    if (taken == 0) std::cerr << "first step\n";
+  });
+  EXPECT_EQ(run.err, "first step\n");
+  const auto warned = fem_flow({"-o", (folder / "warned").string()},
+                               [](long taken) {
+                                 if (taken == 0) std::cerr << "first step\n";
+                               },
+                               {{"made-up", "a made-up reason"}});
+  EXPECT_EQ(warned.err, "warning: a made-up reason\nfirst step\n");
+  EXPECT_NE(test::contents(folder / "warned" / "run.json").find("a made-up reason"), std::string::npos);
+  EXPECT_EQ(fem_flow({"-o", (folder / "quiet").string(), "-q"}, {}, {{"made-up", "a made-up reason"}}).err, "");
 }
 
 TEST(FemFlowCommand, NeedsADictatedMotion) {

@@ -32,6 +32,15 @@ TEST(FemProgram, ExplainsBadInput) {
   EXPECT_EQ(turgor(folder, {"fem"}).code, 2);
 }
 
+TEST(FemProgram, TheWallAtRest) {
+  const Folder folder;
+  const std::string balloon = (std::filesystem::path(TURGOR_CASES) / "coupled-orifice-30mm.toml").string();
+  const auto statics = turgor(folder, {"fem", "statics", balloon, "--up-to", "1.6", "--json"});
+  ASSERT_EQ(statics.code, 0) << statics.err;
+  EXPECT_EQ(nlohmann::json::parse(statics.out).at("limit_points").size(), 1U);
+  EXPECT_EQ(turgor(folder, {"fem", "statics", balloon, "--up-to", "0.5"}).code, 2);
+}
+
 // A coarse run through a short deflation. There the corrected closure is known to be some 10 % below finite elements
 // and the theoretical one 1.56 times further down; the mode and the mean pressure differ by 0.4 kappa^2 = 0.4 % and
 // viscosity.

@@ -190,6 +190,18 @@ TEST(Equilibrium, SaysWhenAMaterialHasNoLimitPoint) {
   EXPECT_NE(text.find("no limit point"), std::string::npos) << text;
 }
 
+// A pressure of 1500 d0 mu/r0 makes the branch no longer than other ones: the arc is in units of it.
+TEST(Equilibrium, FollowsAMaterialThatStiffensInAFewSteps) {
+  MembraneWall wall = sample_wall();
+  wall.material = Fung<double>{1e6, 1.0};
+  const Membrane membrane = balloon(0.03, 8, wall);
+  const InflationCurve curve = inflation_curve(membrane, slack_state(membrane), volume_at(2.2));
+  EXPECT_LT(curve.states.size(), 100U);
+  EXPECT_TRUE(curve.limit_points.empty());
+  const MembraneState& last = curve.states.back();
+  EXPECT_NEAR(hold_volume(membrane, slack_state(membrane), volume_at(2.2)).pressure / last.pressure, 1, 1e-9);
+}
+
 // Chains that are fully stretched: no equilibrium at that volume, and never a number that is none.
 TEST(Equilibrium, SaysWhenTheMaterialLocks) {
   MembraneWall wall = sample_wall();

@@ -13,6 +13,7 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::Vector2d;
+using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 /// x^2 + y^2 = 1, y the parameter.
@@ -41,6 +42,35 @@ TEST(Continuation, GoesRoundACircle) {
   ASSERT_EQ(folds.size(), 2U);
   EXPECT_NEAR((folds[0] - Vector2d(0, 1)).norm(), 0, 1e-13);
   EXPECT_NEAR((folds[1] - Vector2d(0, -1)).norm(), 0, 1e-13);
+}
+
+// The box ends a little behind the turning point, within the step that passes it, and tangents lead out of it: p = 1 -
+// x^2, y = x - 3 x^2 up to a y.
+TEST(Continuation, FindsAFoldInTheLastStep) {
+  ContinuationProblem problem;
+  problem.residual = [](const VectorXd& x) {
+    return VectorXd(Vector2d(x(0) * x(0) + x(2) - 1, x(1) - x(0) + 3 * x(0) * x(0)));
+  };
+  problem.jacobian = [](const VectorXd& x) {
+    MatrixXd slope(2, 3);
+    slope << 2 * x(0), 0, 1, 6 * x(0) - 1, 1, 0;
+    return slope;
+  };
+  problem.least = VectorXd::Constant(3, -2);
+  for (const double behind : {1e-4, 1e-3, 3e-3, 0.01}) {
+    problem.greatest = Vector3d(2, behind, 2);
+    const Branch branch = follow_branch(problem, Vector3d(-0.2, -0.32, 0.96), 1);
+    EXPECT_EQ(branch.end, BranchEnd::left_box);
+    ASSERT_GE(branch.points.size(), 2U);
+    std::size_t folds = 0;
+    for (const BranchPoint& point : branch.points) {
+      if (!point.fold) continue;
+      ++folds;
+      EXPECT_NEAR(point.x(0), 0, 1e-10);
+    }
+    EXPECT_EQ(folds, 1U) << behind;
+    EXPECT_EQ(branch.points.back().x(1), behind);
+  }
 }
 
 TEST(Continuation, EndsOnTheBox) {

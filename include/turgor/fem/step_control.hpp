@@ -2,6 +2,7 @@
 // Time steps of a flow: how long they may be, and what to do about one that fails.
 
 #include <functional>
+#include <string>
 
 #include "turgor/case/case.hpp"
 #include "turgor/fem/flow_problem.hpp"
@@ -15,6 +16,7 @@ struct StepNeeds {
   std::function<double(double)> speed;  ///< greatest of the flow at a time not long from now [m/s]
   std::function<double()> phase;        ///< duration of the present segment of the program [s]
   double error_limit;                   ///< of a step's velocity [m/s]
+  std::string program;                  ///< the table of the case that drives the flow, such as [pressure]
 };
 
 /// Steps by the Courant number or of fixed length, halved where one fails.
@@ -38,6 +40,7 @@ class StepControl {
  private:
   [[nodiscard]] double limit(const FlowSolver& solver, double t_stop) const;
   void refuse_collapse(const FlowSolver& solver) const;
+  [[nodiscard]] std::string advice() const;
   [[nodiscard]] SolverRow accepted(const FlowSolver& solver, const StepReport& report, double dt);
 
   const FemSettings& settings_;
