@@ -49,10 +49,10 @@ fs::path cases_folder(const std::string& given) {
 
 fs::path fem_folder(const FigureArguments& arguments) {
   if (arguments.fem.empty()) return {};
-  const std::vector<std::string> showing{"3", "4", "6", "all"};
+  const std::vector<std::string> showing{"3", "4", "5", "6", "all"};
   if (std::ranges::find(showing, arguments.name) == showing.end()) {
     throw InvalidInput("--fem", "\"" + arguments.fem + "\"", "figure " + arguments.name + " shows no finite elements",
-                       "figures 3, 4 and 6 do");
+                       "figures 3, 4, 5 and 6 do");
   }
   std::error_code error;
   if (fs::is_directory(arguments.fem, error)) return arguments.fem;
@@ -60,9 +60,12 @@ fs::path fem_folder(const FigureArguments& arguments) {
                      "name the folder that holds run directories of `turgor fem`, such as motion-orifice-30mm.fem");
 }
 
-/// As make_figure(), but of several figures one that fails does not end the others.
+/// As make_figure(), but of several figures one that fails or lacks its run does not end the others.
 MadeFigure make_one_of(const Figure& figure, const fs::path& cases, const ResultFolder& folder, bool pictures,
                        const fs::path& fem) {
+  if (const auto lacking = lacking_run(figure, {}, fem)) {  // by file names alone, which the index can keep
+    return {&figure, {}, {}, {}, {}, lacking->problem + "; " + lacking->advice};
+  }
   try {
     return make_figure(figure, cases, folder, pictures, fem);
   } catch (const std::exception& error) {
@@ -89,7 +92,7 @@ int report(const std::vector<MadeFigure>& made, bool quiet) {
 CLI::App* add_figure(CLI::App& app, FigureArguments& arguments) {
   CLI::App* command = app.add_subcommand(
       "figure", "the paper's figures and some more, each with its numbers as CSV; without a name: which there are");
-  command->add_option("name", arguments.name, "2, 3, 4, 6, 7, 8, 9, decay, errors, bistability, design, or all")
+  command->add_option("name", arguments.name, "2, 3, 4, 5, 6, 7, 8, 9, decay, errors, bistability, design, or all")
       ->type_name("NAME");
   add_results(*command, arguments.results, "figure-NAME, or figures for all, in the current folder");
   command->add_option("--cases", arguments.cases, "folder of the case files; default: those that ship with turgor")
@@ -98,7 +101,7 @@ CLI::App* add_figure(CLI::App& app, FigureArguments& arguments) {
       ->add_option(
           "--fem", arguments.fem,
           "folder of run directories, named CASE.fem, of `turgor fem flow` for figure 3, `turgor fem fsi` for 4 and 6, "
-          "that they show too")
+          "that they show too, and for 5, which needs one")
       ->type_name("DIR");
   command->add_flag("--json", arguments.json, "print one JSON document and nothing else");
   command->add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
@@ -111,6 +114,9 @@ int make_figures(const FigureArguments& arguments) {
   const bool all = arguments.name == "all";
   const fs::path cases = cases_folder(arguments.cases);
   const fs::path fem = fem_folder(arguments);
+  if (!all) {
+    if (const auto lacking = lacking_run(*figures.front(), cases, fem)) throw InvalidInput({*lacking});
+  }
   const std::string directory = arguments.results.directory;
   const std::string usual = all ? "figures" : "figure-" + arguments.name;
   const ResultFolder folder(directory.empty() ? usual : directory, contents_of(figures), arguments.results.force);

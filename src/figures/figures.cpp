@@ -54,6 +54,19 @@ const std::vector<Entry>& entries() {
         {"figure-4"},
         {"figure-4"}},
        make_response_figure},
+      {{"5",
+        "The jet of a fast inflation, and the balloon that it stretches",
+        "By finite elements, without damping of the wall: the wall, dashed where it was at the start, streamlines and "
+        "speed. The pressure comes faster than the balloon can follow; the jet through the orifice stretches it at the "
+        "pole, and the wall swings back. Among the panels are the one in which the balloon is longest for its width "
+        "and, after it, the one in which its liquid lies highest for its height. Between neighbouring streamlines of a "
+        "panel runs the same flux; it is in the table.",
+        {"jet-orifice-30mm.toml"},
+        {"figure-5", "figure-5-walls", "figure-5-streamlines"},
+        {"figure-5"},
+        {"figure-5-film"},
+        true},
+       make_jet_figure},
       {{"6",
         "Balloons with a channel, filled and emptied",
         "R(t) by (2.25) with the corrected closure, and by the complete equation (2.22). The liquid in the "
@@ -167,11 +180,28 @@ fs::path shipped_cases(const fs::path& program) {
                          (folder / TURGOR_INSTALLED_CASES).lexically_normal().string() + " when turgor is installed");
 }
 
+std::optional<Issue> lacking_run(const Figure& figure, const fs::path& cases, const fs::path& fem) {
+  if (!figure.needs_fem) return std::nullopt;
+  const std::string& file = figure.cases.front();
+  const std::string run = fs::path(file).stem().string() + ".fem";
+  std::error_code error;
+  if (!fem.empty() && fs::is_directory(fem / run, error)) return std::nullopt;
+  return Issue{"--fem",
+               fem.empty() ? "" : "\"" + fem.string() + "\"",
+               "figure " + figure.name + " shows a run of finite elements, " + run +
+                   (fem.empty() ? "" : ", and there is none in this folder"),
+               "compute it with a turgor built by `./dev build fem`: `turgor fem fsi " + (cases / file).string() +
+                   "`; then `turgor figure " + figure.name + " --fem .`",
+               "",
+               0};
+}
+
 ResultFolder::Contents contents_of(std::span<const Figure* const> figures) {
-  ResultFolder::Contents contents{"folder of figures", {"index.md", "figures.json"}, {}};
+  ResultFolder::Contents contents{"folder of figures", {"index.md", "figures.json"}, {}, {}};
   for (const Figure* figure : figures) {
     for (const std::string& table : figure->tables) contents.files.push_back(table + ".csv");
     contents.pictures.insert(contents.pictures.end(), figure->pictures.begin(), figure->pictures.end());
+    contents.films.insert(contents.films.end(), figure->films.begin(), figure->films.end());
   }
   return contents;
 }
@@ -200,11 +230,9 @@ std::string heading(const Figure& figure) {
 }
 
 Json to_json(const Figure& figure) {
-  return {{"name", figure.name},
-          {"title", figure.title},
-          {"cases", figure.cases},
-          {"tables", figure.tables},
-          {"pictures", figure.pictures}};
+  return {{"name", figure.name},          {"title", figure.title},       {"cases", figure.cases},
+          {"tables", figure.tables},      {"pictures", figure.pictures}, {"films", figure.films},
+          {"needs_fem", figure.needs_fem}};
 }
 
 std::string dumped(const Json& document) { return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
@@ -220,15 +248,15 @@ std::string figures_index(std::span<const MadeFigure> made) {
   for (const MadeFigure& m : made) {
     const Figure& figure = *m.figure;
     out += "\n## " + heading(figure) + "\n\n";
-    if (!m.failure.empty()) {
-      out += "Not made: " + m.failure + "\n";
+    if (!m.failure.empty() || !m.lacking.empty()) {
+      out += "Not made: " + m.failure + m.lacking + "\n";
       continue;
     }
     for (const std::string& file : m.files) {
-      if (file.ends_with(".png")) out += "![" + figure.title + "](" + file + ")\n";
+      if (file.ends_with(".png") || file.ends_with(".gif")) out += "![" + figure.title + "](" + file + ")\n";
     }
-    out += "\n" + figure.caption + m.note + "\n\n`turgor figure " + figure.name + "` · cases " +
-           listed(figure.cases, "") + " · numbers " + listed(figure.tables, ".csv") + "\n";
+    out += "\n" + figure.caption + m.note + "\n\n`turgor figure " + figure.name + (figure.needs_fem ? " --fem ." : "") +
+           "` · cases " + listed(figure.cases, "") + " · numbers " + listed(figure.tables, ".csv") + "\n";
   }
   return out;
 }
@@ -244,7 +272,8 @@ std::string figures_json(std::span<const MadeFigure> made, const fs::path& folde
   bool complete = true;
   for (const MadeFigure& m : made) {
     Json figure{{"name", m.figure->name}, {"title", m.figure->title}, {"cases", m.figure->cases}, {"files", m.files}};
-    for (const auto& [key, text] : {std::pair{"picture_problem", m.picture_problem}, {"failure", m.failure}}) {
+    for (const auto& [key, text] :
+         {std::pair{"picture_problem", m.picture_problem}, {"failure", m.failure}, {"lacking", m.lacking}}) {
       figure[key] = text.empty() ? Json(nullptr) : Json(text);
     }
     complete = complete && m.failure.empty();

@@ -8,6 +8,7 @@ namespace turgor {
 void make_flow_figure(Studio& studio);         // 2
 void make_force_figure(Studio& studio);        // 3
 void make_response_figure(Studio& studio);     // 4 and 6
+void make_jet_figure(Studio& studio);          // 5
 void make_statics_figure(Studio& studio);      // 7
 void make_approach_figure(Studio& studio);     // 8
 void make_portraits_figure(Studio& studio);    // 9

@@ -25,12 +25,17 @@ void Studio::table_text(const std::string& name, const std::string& text) {
   made_.files.push_back(name + ".csv");
 }
 
-void Studio::note(const std::string& picture, const std::string& problem) {
+void Studio::film(const std::string& name, std::size_t count, const std::function<FilmFrame(std::size_t)>& frame,
+                  PictureSize size, int pause) {
+  if (pictures_) note(name, gnuplot_film(folder_.path(), name, count, frame, size, pause), {"", ".gif", ".gp"});
+}
+
+void Studio::note(const std::string& name, const std::string& problem, const std::vector<std::string>& endings) {
   if (!problem.empty()) {
     made_.picture_problem = problem;
     return;
   }
-  for (const char* ending : {".svg", ".png", ".gp"}) made_.files.push_back(picture + ending);
+  for (const std::string& ending : endings) made_.files.push_back(name + ending);
 }
 
 double mean_limit_pressure(const Parameters<double>& p) {

@@ -2,6 +2,7 @@
 // What every figure is made with: case files to read, tables and pictures to write.
 
 #include <cmath>
+#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -63,17 +64,21 @@ class Studio {
   /// @param draw  called with the folder, returns what went wrong
   template <class Draw>
   void picture(const std::string& name, const Draw& draw) {
-    if (pictures_) note(name, draw(folder_.path()));
+    if (pictures_) note(name, draw(folder_.path()), {".svg", ".png", ".gp"});
   }
   /// @param commands  for gnuplot, after its data blocks
   void picture(const std::string& name, const std::string& data, const std::string& commands, PictureSize size) {
     picture(name, [&](const std::filesystem::path& folder) { return gnuplot(folder, name, data, commands, size); });
   }
 
+  /// Draws NAME.gif and its frames unless pictures are not wanted, as gnuplot_film().
+  void film(const std::string& name, std::size_t count, const std::function<FilmFrame(std::size_t)>& frame,
+            PictureSize size, int pause);
+
   [[nodiscard]] const MadeFigure& made() const { return made_; }
 
  private:
-  void note(const std::string& picture, const std::string& problem);
+  void note(const std::string& name, const std::string& problem, const std::vector<std::string>& endings);
 
   const Figure& figure_;
   std::filesystem::path cases_;

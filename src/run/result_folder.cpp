@@ -23,6 +23,14 @@ void remove_earlier(const fs::path& folder, const ResultFolder::Contents& conten
   for (const std::string& picture : contents.pictures) {
     for (const char* ending : {".svg", ".png", ".gp", ".log"}) fs::remove(folder / (picture + ending), ignored);
   }
+  for (const std::string& film : contents.films) {
+    for (const char* ending : {".gif", ".gp", ".log"}) fs::remove(folder / (film + ending), ignored);
+    for (const auto& entry : fs::directory_iterator(folder / film, ignored)) {
+      const std::string name = entry.path().filename().string();
+      if (name.starts_with("frame-") && name.ends_with(".png")) fs::remove(entry.path(), ignored);
+    }
+    fs::remove(folder / film, ignored);  // unless it holds something else
+  }
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "gnuplot.hpp"
+#include "speed_image.hpp"
 #include "stream_lines.hpp"
 #include "turgor/base/text.hpp"
 #include "turgor/case/units.hpp"
@@ -14,8 +14,7 @@ namespace turgor {
 namespace {
 
 constexpr int stream_tubes = 20;
-constexpr int pixels = 300;    ///< of a window from the axis to its edge
-constexpr double decades = 3;  ///< of speed in the colours
+constexpr int resolution = 300;  ///< pixels of a window from the axis to its edge
 
 /// A square window on the meridional plane [m], mirrored at the axis.
 struct Window {
@@ -30,25 +29,23 @@ class Picture {
       : grid_(grid), about_(about), length_(1 / unit_factor(about.length_unit, "m")), triangles_(node_triangles(grid)) {
     const auto velocity = std::ranges::find(grid.data, "velocity", &PointData::name);
     velocity_ = velocity->values;
-    for (std::size_t i = 0; 3 * i < velocity_.size(); ++i) {
-      speed_.push_back(std::hypot(velocity_[3 * i], velocity_[3 * i + 1]));
-      fastest_ = std::max(fastest_, speed_.back());
+    speed_ = speeds(velocity_);
+    for (std::size_t i = 0; i < speed_.size(); ++i) {
+      fastest_ = std::max(fastest_, speed_[i]);
       widest_ = std::max(widest_, grid.points[3 * i]);
       top_ = std::max(top_, grid.points[3 * i + 1]);
     }
     if (!(fastest_ > 0)) fastest_ = 1e-12;  // at rest: one colour
   }
 
-  [[nodiscard]] std::string data() const { return raster(whole()) + raster(orifice()) + lines(); }
+  [[nodiscard]] std::string data() const { return image(whole()) + image(orifice()) + lines(); }
 
   [[nodiscard]] std::string commands() const {
     const std::string unit = "[" + about_.length_unit + "]";
     std::string out = "unset key\nset tics out\nunset grid\nset size ratio -1\n";
     out += "set multiplot title " + quoted(about_.title) + " offset 0,0.3\n";
     out += "set label 1 " + quoted(about_.subtitle) + " at screen 0.5,0.895 center font ',12'\n";
-    out += viridis_palette() + "set logscale cb\nset format cb '%g'\nset cbrange [" +
-           rounded(fastest_ / std::pow(10, decades), 4) + ":" + rounded(fastest_, 4) + "]\n";
-    out += "set cblabel 'speed [m/s]' offset 1\nset xlabel 'r " + unit + "'\n";
+    out += speed_colours(fastest_) + "set cblabel 'speed [m/s]' offset 1\nset xlabel 'r " + unit + "'\n";
     out += "set tmargin at screen 0.83\nset bmargin at screen 0.16\n";
     out += "set lmargin at screen 0.075\nset rmargin at screen 0.40\nset ylabel 'z " + unit +
            "' offset 1.2\nunset colorbox\n" + panel(whole());
@@ -66,43 +63,11 @@ class Picture {
     return {"orifice", 2.5 * about_.orifice_radius, -1.2 * about_.orifice_radius};
   }
 
-  /// Speeds at the middles of pixels right of the axis, in rows from the bottom.
-  [[nodiscard]] std::string raster(const Window& window) const {
-    const double pixel = window.half_width / pixels;
-    std::vector<double> colours(2 * static_cast<std::size_t>(pixels) * static_cast<std::size_t>(pixels),
-                                std::numeric_limits<double>::quiet_NaN());
-    for (const auto& t : triangles_) paint(t, window, pixel, colours);
-    std::string out = "$" + window.name + " << EOD\n";
-    for (std::size_t i = 0; i < colours.size(); ++i) {
-      out += std::isnan(colours[i]) ? "NaN" : rounded(colours[i], 4);
-      out += (i + 1) % pixels == 0 ? "\n" : " ";
-    }
-    return out + "EOD\n";
+  static Pixels pixels(const Window& window) {
+    return {window.name, window.half_width / resolution, window.bottom, resolution, 2 * resolution};
   }
-
-  void paint(const std::array<std::size_t, 3>& t, const Window& window, double pixel,
-             std::vector<double>& colours) const {
-    std::array<double, 3> x{};
-    std::array<double, 3> y{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      x[k] = grid_.points[3 * t[k]] / pixel - 0.5;
-      y[k] = (grid_.points[3 * t[k] + 1] - window.bottom) / pixel - 0.5;
-    }
-    const double area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
-    const auto clipped = [](double value, int most) { return static_cast<int>(std::clamp(value, 0.0, most - 1.0)); };
-    const auto [left, right] = std::ranges::minmax(x);
-    const auto [low, high] = std::ranges::minmax(y);
-    if (right < 0 || high < 0 || left > pixels || low > 2 * pixels) return;
-    for (int j = clipped(std::ceil(low), 2 * pixels); j <= clipped(std::floor(high), 2 * pixels); ++j) {
-      for (int i = clipped(std::ceil(left), pixels); i <= clipped(std::floor(right), pixels); ++i) {
-        const double b = ((i - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (j - y[0])) / area;
-        const double c = ((x[1] - x[0]) * (j - y[0]) - (i - x[0]) * (y[1] - y[0])) / area;
-        constexpr double edge = -1e-9;  // a pixel on a side belongs to either triangle
-        if (b < edge || c < edge || b + c > 1 - edge) continue;
-        colours[static_cast<std::size_t>(j) * pixels + static_cast<std::size_t>(i)] =
-            (1 - b - c) * speed_[t[0]] + b * speed_[t[1]] + c * speed_[t[2]];
-      }
-    }
+  [[nodiscard]] std::string image(const Window& window) const {
+    return speed_block(grid_, triangles_, speed_, pixels(window));
   }
 
   [[nodiscard]] std::string lines() const {
@@ -119,19 +84,13 @@ class Picture {
   }
 
   [[nodiscard]] std::string panel(const Window& window) const {
-    const std::string step = rounded(length_ * window.half_width / pixels, 9);
-    const std::string y = "($2+0.5)*" + step + (window.bottom < 0 ? "" : "+") + rounded(length_ * window.bottom, 9);
     const double half = length_ * window.half_width;
     const double bottom = length_ * window.bottom;
     std::string out = "set xrange [" + rounded(-half, 6) + ":" + rounded(half, 6) + "]\nset yrange [" +
                       rounded(bottom, 6) + ":" + rounded(bottom + 2 * half, 6) + "]\n";
     const std::string tic = rounded(round_step(half), 6);
     out += "set xtics " + tic + "\nset ytics " + tic + "\n";
-    std::string plots;
-    for (const std::string side : {"", "-"}) {
-      plots += (plots.empty() ? "plot $" : ", \\\n     $") + window.name + " matrix using (" + side + "($1+0.5)*" +
-               step + "):(" + y + "):3 with image";
-    }
+    std::string plots = "plot " + speed_plots(pixels(window), length_);
     for (const std::string side : {"", "-"}) {
       plots += ", \\\n     $lines using (" + side + "$1):2 with lines lw 0.6 lc rgb 'black'";
     }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <string>
 
 namespace turgor {
@@ -30,5 +31,19 @@ inline constexpr std::array<const char*, 9> viridis{"#440154", "#472d7b", "#3b52
 /// @return what went wrong; empty when both pictures are there
 [[nodiscard]] std::string gnuplot(const std::filesystem::path& folder, const std::string& name, const std::string& data,
                                   const std::string& plot, PictureSize size = {});
+
+/// A picture of a film: data blocks, which may have the names of those before, and the commands that draw them.
+struct FilmFrame {
+  std::string data;
+  std::string plot;
+};
+
+/// Writes NAME.gp and runs gnuplot on it, which draws NAME/frame-0001.png and so on, and joins them to NAME.gif.
+/// @param frame  called with 0 to count - 1
+/// @param size   in pixels
+/// @param pause  between frames [1/100 s]
+/// @return what went wrong; empty when the film is there
+[[nodiscard]] std::string gnuplot_film(const std::filesystem::path& folder, const std::string& name, std::size_t count,
+                                       const std::function<FilmFrame(std::size_t)>& frame, PictureSize size, int pause);
 
 }  // namespace turgor

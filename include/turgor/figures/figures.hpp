@@ -2,10 +2,12 @@
 // The figures of the paper and of this documentation, made from the case files that ship.
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "turgor/base/errors.hpp"
 #include "turgor/run/result_folder.hpp"
 
 namespace turgor {
@@ -18,6 +20,8 @@ struct Figure {
   std::vector<std::string> cases;     ///< case files that it needs
   std::vector<std::string> tables;    ///< its CSV files, without ending
   std::vector<std::string> pictures;  ///< its pictures, without ending
+  std::vector<std::string> films{};   ///< its films, without ending
+  bool needs_fem = false;             ///< whether it shows nothing but a run of finite elements of its case
 };
 
 /// All of them, the paper's first.
@@ -38,7 +42,14 @@ struct MadeFigure {
   std::string picture_problem;     ///< why there are no pictures, in words for a warning; empty when there are
   std::string failure;             ///< why it could not be made; empty when it was
   std::string note{};              ///< what this one has beyond the caption, Markdown
+  std::string lacking{};           ///< the run of finite elements without which there is nothing to make; else empty
 };
+
+/// What a figure cannot be made without, and the command that computes it; nothing when it is there.
+/// @param cases  folder of the case files, for the command
+/// @param fem    folder of run directories of `turgor fem`; empty: none
+[[nodiscard]] std::optional<Issue> lacking_run(const Figure& figure, const std::filesystem::path& cases,
+                                               const std::filesystem::path& fem);
 
 /// What a folder of some figures holds.
 [[nodiscard]] ResultFolder::Contents contents_of(std::span<const Figure* const> figures);
@@ -48,7 +59,8 @@ struct MadeFigure {
 /// @param folder    made with contents_of()
 /// @param pictures  whether to draw
 /// @param fem       folder of run directories of `turgor fem`, CASE.fem, to show; empty: none
-/// @throws InvalidInput when a case file cannot be read; ComputationFailed when a file cannot be written
+/// @throws InvalidInput when a case file or a run cannot be read; ComputationFailed when a file cannot be
+/// written
 [[nodiscard]] MadeFigure make_figure(const Figure& figure, const std::filesystem::path& cases,
                                      const ResultFolder& folder, bool pictures, const std::filesystem::path& fem = {});
 

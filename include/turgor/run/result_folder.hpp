@@ -10,11 +10,12 @@ namespace turgor {
 /// A folder of results that never holds a mixture of two of them, nor half a file.
 class ResultFolder {
  public:
-  /// What a command writes: files by their names, and pictures by theirs without ending.
+  /// What a command writes: files by their names, and pictures and films by theirs without ending.
   struct Contents {
     std::string what;  ///< for messages: "run directory"
     std::vector<std::string> files;
     std::vector<std::string> pictures;
+    std::vector<std::string> films{};  ///< NAME.gif and the folder NAME with its frames
   };
 
   /// Creates the folder, and the folders above it.

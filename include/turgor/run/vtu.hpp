@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,11 @@ struct VtuGrid {
 /// A .vtu file, its numbers in base64: 4/3 of their size in memory, bit for bit.
 [[nodiscard]] std::string vtu_text(const VtuGrid& grid);
 
+/// Reads such a file back: cells of these two kinds, point data of double precision.
+/// @throws InvalidInput (without a key) naming the file, when it cannot be read, is none or of another layout, is cut
+/// off, has cells of points that there are not, or a number that is none
+[[nodiscard]] VtuGrid read_vtu(const std::filesystem::path& path);
+
 /// A file at one time [s] of a series; its name is relative to the folder of the series.
 struct VtuInstant {
   double time;
@@ -34,5 +40,9 @@ struct VtuInstant {
 
 /// A .pvd file: .vtu files with their times, which ParaView plays.
 [[nodiscard]] std::string pvd_text(const std::vector<VtuInstant>& series);
+
+/// Reads such a file back; possibly there are no instants.
+/// @throws InvalidInput (without a key) naming the file, when it cannot be read, is none, or a time is no number
+[[nodiscard]] std::vector<VtuInstant> read_pvd(const std::filesystem::path& path);
 
 }  // namespace turgor
