@@ -16,6 +16,13 @@ struct StretchRange {
 };
 [[nodiscard]] StretchRange stretch_range(const Trajectory<double>& trajectory);
 
+/// Greatest mean speeds in the orifice on a trajectory [m/s], not negative.
+struct OrificeSpeeds {
+  double in;
+  double out;
+};
+[[nodiscard]] OrificeSpeeds orifice_speeds(const RunResult& result);
+
 /// Which assumptions of the model this result strains, and by how much.
 [[nodiscard]] std::vector<Warning> strained_assumptions(const Case& c, const RunResult& result);
 

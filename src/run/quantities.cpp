@@ -119,21 +119,27 @@ bool asks_for(std::span<const std::size_t> asked, std::initializer_list<std::str
 }
 
 double greatest_flow(const RunResult& result) {
-  const Parameters<double>& p = result.oscillator->parameters();
-  double greatest = 0;
+  const OrificeSpeeds speeds = orifice_speeds(result);
+  const Scales<double>& scales = result.oscillator->scales();
+  return std::max(speeds.in, speeds.out) / (scales.length / scales.time);
+}
+
+}  // namespace
+
+OrificeSpeeds orifice_speeds(const RunResult& result) {
+  const double a = result.oscillator->parameters().orifice_radius;
+  OrificeSpeeds greatest{0, 0};
   const auto include = [&](double time) {
-    const PhysicalState state = physical_state(*result.oscillator, *result.trajectory, time);
-    greatest = std::max(greatest, std::abs(state.flow_rate));
+    const double flow = physical_state(*result.oscillator, *result.trajectory, time).flow_rate;
+    const double speed = flow / (std::numbers::pi * a * a);
+    greatest = {std::max(greatest.in, speed), std::max(greatest.out, -speed)};
   };
   for (const auto& step : result.trajectory->steps) {
     for (const double theta : {0.0, 0.25, 0.5, 0.75}) include(step.start + theta * step.duration);
   }
   include(result.trajectory->last.time);
-  const Scales<double>& scales = result.oscillator->scales();
-  return greatest / (std::numbers::pi * p.orifice_radius * p.orifice_radius * scales.length / scales.time);
+  return greatest;
 }
-
-}  // namespace
 
 SummaryOptions needed_for(std::span<const std::size_t> asked) {
   SummaryOptions options;

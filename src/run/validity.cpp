@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -22,6 +23,23 @@ constexpr double viscous_share = 0.05;
 constexpr double slack = 0.01;         // a range of fits does not end sharply
 constexpr double compression = 0.001;  // undershoot of R = 1 that is worth a word
 
+/// What finite elements found for balloons that fill through a bare orifice (docs/fem-coupled.md, "How far to trust the
+/// model while it fills").
+struct FillingError {
+  double speed;  ///< the model's greatest one in the orifice over sqrt(2 p/rho), p the greatest pressure
+  double error;  ///< of the radius, greatest while rising and holding, over the stroke
+};
+constexpr std::array<FillingError, 3> filling_errors{{{0.71, 0.062}, {3.0, 0.37}, {6.8, 0.59}}};
+
+/// Linear in the logarithm of the speed, constant beyond the ends.
+double filling_error(double speed) {
+  const auto after = std::ranges::find_if(filling_errors, [&](const FillingError& e) { return e.speed > speed; });
+  if (after == filling_errors.begin()) return after->error;
+  if (after == filling_errors.end()) return filling_errors.back().error;
+  const FillingError& before = *(after - 1);
+  return std::lerp(before.error, after->error, std::log(speed / before.speed) / std::log(after->speed / before.speed));
+}
+
 class Checks {
  public:
   Checks(const Case& c, const RunResult& result)
@@ -31,6 +49,7 @@ class Checks {
     wall();
     for (Warning& warning : strained_orifice(p_, range_)) warnings_.push_back(std::move(warning));
     channel();
+    filling();
     viscosity();
     statics();
     dropped();
@@ -59,6 +78,19 @@ class Checks {
       warn("channel-window", "L_ch/r_ch = " + rounded(slenderness) +
                                  " strains 1 << L_ch/r_ch << eps^(-3/2) = " + rounded(upper) + " of (2.25)");
     }
+  }
+
+  void filling() {
+    if (p_.channel_length > 0) return;
+    const double pressure = range_of(case_.pressure, case_.solve.t_end).greatest;
+    if (!(pressure > 0)) return;
+    const double in = orifice_speeds(result_).in;
+    const double speed = in / std::sqrt(2 * pressure / p_.fluid_density);
+    if (speed < 1) return;
+    warn("fast-filling", "liquid enters with up to " + rounded(in, 3) + " m/s, " + rounded(speed, 3) +
+                             " times what the greatest pressure can give to liquid at rest: finite elements of such "
+                             "balloons had the radius " +
+                             rounded(100 * filling_error(speed), 2) + " % of the stroke off while they filled");
   }
 
   void viscosity() {
