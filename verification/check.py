@@ -71,7 +71,7 @@ def plot(panel, quantities, asked):
     places = [float(x) for series in shown.values() for x in series]
     left, right = (min(places) / 1.5, max(places) * 1.5) if logarithmic else (0, max(places) * 1.1)
     commands += f"unset logscale; set xrange [{left}:{right}]; set yrange [*:*]\n"
-    commands += "set logscale xy; set format y '10^{%L}'\n" if logarithmic else "set format y '%g'\n"
+    commands += "set logscale xy; set format y '10^{%L}'; set format x '%g'\n" if logarithmic else "set format '%g'\n"
     commands += f"set yrange [{asked['yrange']}]\n" if "yrange" in asked else ""
     curves = []
     for i, (name, series) in enumerate(shown.items()):

@@ -1,5 +1,6 @@
 // Errors of the flow solver on series of meshes and steps, as a table of comma-separated values: flow-studies NAME
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -10,15 +11,11 @@
 
 #include "fem/known_flows.hpp"
 #include "rest_flow.hpp"
+#include "studies.hpp"
 #include "turgor/fem/session.hpp"
 
 namespace turgor {
 namespace {
-
-/// A row of the table; rows of one panel and quantity are a series.
-void print(const std::string& panel, const std::string& quantity, double x, double value) {
-  std::printf("%s,%s,%.12g,%.12g\n", panel.c_str(), quantity.c_str(), x, value);
-}
 
 double size_of(std::size_t n) { return 1 / static_cast<double>(n); }
 
@@ -145,24 +142,29 @@ void balances() {
   }
 }
 
+struct Study {
+  const char* name;
+  void (*run)();
+};
+constexpr std::array studies{Study{"manufactured", manufactured},
+                             Study{"channel", channel},
+                             Study{"potential-limit", potential_limit},
+                             Study{"moving-mesh", moving_mesh},
+                             Study{"balances", balances},
+                             Study{"orifice-inertance", orifice_inertance},
+                             Study{"coupled-modes", coupled_modes},
+                             Study{"coupled-orders", coupled_orders}};
+
 int main_of(const std::string& name) {
-  const FemSession session;
-  std::puts("panel,quantity,x,value");
-  if (name == "manufactured") {
-    manufactured();
-  } else if (name == "channel") {
-    channel();
-  } else if (name == "potential-limit") {
-    potential_limit();
-  } else if (name == "moving-mesh") {
-    moving_mesh();
-  } else if (name == "balances") {
-    balances();
-  } else {
-    std::cerr << "flow-studies: no study \"" << name
-              << "\"; there are manufactured, channel, potential-limit, moving-mesh and balances\n";
+  const auto* const study = std::ranges::find_if(studies, [&](const Study& s) { return name == s.name; });
+  if (study == studies.end()) {
+    std::cerr << "flow-studies: no study \"" << name << "\"; there are\n";
+    for (const Study& other : studies) std::cerr << "  " << other.name << '\n';
     return 2;
   }
+  const FemSession session;
+  std::puts("panel,quantity,x,value");
+  study->run();
   return 0;
 }
 
