@@ -9,6 +9,7 @@
 #include "spherical_cap.hpp"
 #include "turgor/base/errors.hpp"
 #include "turgor/membrane/equilibrium.hpp"
+#include "turgor/run/membrane_study.hpp"
 
 namespace turgor {
 
@@ -34,13 +35,7 @@ std::vector<int> chain_of(const FlowSpace& space) {
 Membrane membrane_of(const FlowSpace& space, const std::vector<int>& chain, const Case& c) {
   Meridian meridian;
   for (const int node : chain) meridian.nodes.push_back(space.nodes()[static_cast<std::size_t>(node)]);
-  const auto& p = c.parameters;
-  return {meridian, MembraneWall{.material = p.material,
-                                 .thickness = p.thickness,
-                                 .density = p.solid_density,
-                                 .bending_stiffness = c.wall.bending_stiffness,
-                                 .damping_time = c.wall.damping_time,
-                                 .rim = c.wall.clamped ? Rim::clamped : Rim::hinged}};
+  return {meridian, wall_of(c)};
 }
 
 /// At rest with the volume of the sphere through the rim that the case starts from.
@@ -52,6 +47,7 @@ Eigen::VectorXd start_of(const Membrane& membrane, const Case& c) {
 
 std::vector<ToroidalCoordinates> coordinates_of(const FlowSpace& space, const std::vector<int>& nodes, double a) {
   std::vector<ToroidalCoordinates> all;
+  all.reserve(nodes.size());
   for (const int node : nodes) all.push_back(toroidal_coordinates(space.nodes()[static_cast<std::size_t>(node)], a));
   return all;
 }

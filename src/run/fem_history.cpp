@@ -30,9 +30,10 @@ struct Kind {
 const Kind dictated{"turgor fem flow",
                     {"model", "output", "scales", "fem", "wall", "solve.samples", "solve.times"},
                     {{"t", "s"}, {"r", "m"}, {"force", "N"}, {"force_mode", "N"}}};
-const Kind coupled{"turgor fem fsi",
-                   {"model", "output", "scales", "fem", "solve.samples", "solve.times"},
-                   {{"t", "s"}, {"p_gauge", "Pa"}, {"r_eff", "m"}, {"dr_effdt", "m/s"}}};
+const Kind coupled{
+    "turgor fem fsi",
+    {"model", "output", "scales", "fem", "solve.samples", "solve.times"},
+    {{"t", "s"}, {"p_gauge", "Pa"}, {"r_eff", "m"}, {"dr_effdt", "m/s"}, {"volume", "m^3"}, {"elastic", "J"}}};
 
 InvalidInput unfit(const fs::path& folder, std::string problem, std::string advice = {}) {
   return InvalidInput(option, "\"" + folder.string() + "\"", std::move(problem), std::move(advice));
@@ -177,14 +178,14 @@ FemHistory read_fem_history(const Case& c, const fs::path& folder) {
 
 FemResponse read_fem_response(const Case& c, const fs::path& folder) {
   const CsvExtract table = read_run(c, folder, coupled);
-  const auto& [times, pressures, radii, rates] =
-      std::tie(table.columns[0], table.columns[1], table.columns[2], table.columns[3]);
+  const auto& [times, pressures, radii, rates, volumes, energies] = std::tie(
+      table.columns[0], table.columns[1], table.columns[2], table.columns[3], table.columns[4], table.columns[5]);
   require_times(c, folder, times);
   require_pressure(c, folder, times, pressures);
   require_positive(folder, radii);
   FemResponse response{{}, text_of(folder / "run.json"), {}, {}};
   for (std::size_t i = 0; i < times.size(); ++i) {
-    response.rows.push_back({times[i], pressures[i], radii[i], rates[i]});
+    response.rows.push_back({times[i], pressures[i], radii[i], rates[i], volumes[i], energies[i]});
   }
   warn(response, c, folder, table.cut);
   return response;

@@ -186,15 +186,19 @@ InflationCurve curve_up_to(const Case& c, const Membrane& membrane, double stret
 
 }  // namespace
 
+MembraneWall wall_of(const Case& c) {
+  const auto& p = c.parameters;
+  return {.material = p.material,
+          .thickness = p.thickness,
+          .density = p.solid_density,
+          .bending_stiffness = c.wall.bending_stiffness,
+          .damping_time = c.wall.damping_time,
+          .rim = c.wall.clamped ? Rim::clamped : Rim::hinged};
+}
+
 Membrane membrane_of(const Case& c) {
   const auto& p = c.parameters;
-  return {spherical_meridian(p.radius, p.orifice_radius, chain_elements, p.radius / p.orifice_radius),
-          MembraneWall{.material = p.material,
-                       .thickness = p.thickness,
-                       .density = p.solid_density,
-                       .bending_stiffness = c.wall.bending_stiffness,
-                       .damping_time = c.wall.damping_time,
-                       .rim = c.wall.clamped ? Rim::clamped : Rim::hinged}};
+  return {spherical_meridian(p.radius, p.orifice_radius, chain_elements, p.radius / p.orifice_radius), wall_of(c)};
 }
 
 double balloon_volume(const Parameters<double>& p, double stretch) {

@@ -5,7 +5,9 @@
 #include <limits>
 
 #include "parts.hpp"
+#include "turgor/base/errors.hpp"
 #include "turgor/base/text.hpp"
+#include "turgor/run/rest_energy.hpp"
 
 namespace turgor {
 
@@ -82,6 +84,22 @@ std::vector<PhaseErrors> errors_by_phase(const Case& c, const std::vector<FemRad
   return parts;
 }
 
+std::optional<ShapeEnergy> shape_energy(const Case& c, const std::vector<FemRadius>& rows,
+                                        std::vector<Warning>& warnings) {
+  ShapeEnergy shape{{}, 0, 0, std::ranges::max(rows, {}, &FemRadius::elastic).elastic};
+  try {
+    const RestEnergy rest(c, std::ranges::max(rows, {}, &FemRadius::volume).volume);
+    for (const FemRadius& row : rows) shape.rows.push_back(row.elastic - rest(row.volume));
+  } catch (const ComputationFailed& failure) {
+    warnings.push_back({"no-shape-energy", std::string("no energy of the shape: ") + failure.what()});
+    return std::nullopt;
+  }
+  const auto greatest = std::ranges::max_element(shape.rows);
+  shape.greatest = *greatest;
+  shape.time = rows[static_cast<std::size_t>(greatest - shape.rows.begin())].time;
+  return shape;
+}
+
 void warn_of_ended(const ModelResponse& model, std::size_t rows, std::vector<Warning>& warnings) {
   if (model.radii.size() == rows) return;
   warnings.push_back({"model-ended", model.name() + " has values at " + std::to_string(model.radii.size()) + " of " +
@@ -146,7 +164,9 @@ ResponseVerification verify_response(const Case& c, FemResponse fem) {
   for (Warning& warning : strained_orifice(c.parameters, range)) warnings.push_back(std::move(warning));
   const Landmarks landmarks = landmarks_of(fem.rows, radii);
   std::vector<PhaseErrors> parts = errors_by_phase(c, fem.rows, models);
-  return {std::move(fem), landmarks, greatest - least, std::move(models), std::move(parts), std::move(warnings)};
+  std::optional<ShapeEnergy> shape = shape_energy(c, fem.rows, warnings);
+  return {std::move(fem),    std::move(shape), landmarks,          greatest - least,
+          std::move(models), std::move(parts), std::move(warnings)};
 }
 
 }  // namespace turgor

@@ -98,6 +98,7 @@ std::string verification_csv(const Case& c, const ResponseVerification& v) {
   const double length = unit_factor(o.length_unit, m);
   const std::string unit = " [" + o.length_unit + "]";
   std::string out = "t [" + o.time_unit + "],p_gauge [" + o.pressure_unit + "],r_eff_fem" + unit;
+  if (v.shape) out += ",shape_energy_fem [J]";
   for (const ModelResponse& model : v.models) {
     out +=
         ",r_" + std::string(name_of(model.run.oscillator->model())) + "_" + std::string(name_of(model.closure)) + unit;
@@ -110,6 +111,10 @@ std::string verification_csv(const Case& c, const ResponseVerification& v) {
     append_number(out, row.gauge_pressure, unit_factor(o.pressure_unit, "Pa"));
     out += ',';
     append_number(out, row.radius, length);
+    if (v.shape) {
+      out += ',';
+      append_number(out, v.shape->rows[i], 1);
+    }
     for (const ModelResponse& model : v.models) {
       out += ',';
       if (i < model.radii.size()) append_number(out, model.radii[i], length);
@@ -125,6 +130,10 @@ std::string verification_json(const Case& c, const ResponseVerification& v) {
   Json fem = fem_json(v.fem);
   fem.update(to_json(v.landmarks));
   fem["stroke_m"] = v.stroke;
+  if (v.shape) {
+    fem["shape_energy"] = {
+        {"greatest_J", v.shape->greatest}, {"at_s", v.shape->time}, {"greatest_elastic_J", v.shape->elastic}};
+  }
   return dumped({{"title", c.title},
                  {"status", "complete"},
                  {"versions", {{"turgor", version}, {"compiler", compiler}}},
@@ -139,6 +148,13 @@ std::string verification_summary(const Case& c, const ResponseVerification& v) {
                     "\n  model - r_eff of finite elements, in % of the latter's stroke of " +
                     rounded(v.stroke / unit_factor(c.output.length_unit, m), 6) + " " + c.output.length_unit + "\n";
   for (const PhaseErrors& part : v.parts) out += error_table(part, v);
+  if (v.shape && v.shape->elastic > 0) {
+    out +=
+        "\n  energy of the shape, elastic beyond rest at the same volume: up to " + rounded(v.shape->greatest, 4) +
+        " J, " + rounded(100 * v.shape->greatest / v.shape->elastic, 3) +
+        " % of the greatest elastic energy, at t = " + rounded(v.shape->time / unit_factor(c.output.time_unit, "s")) +
+        " " + c.output.time_unit + "\n";
+  }
   return out + "\n" + warning_lines(v.warnings);
 }
 

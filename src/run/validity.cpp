@@ -29,11 +29,13 @@ struct FillingError {
   double speed;  ///< the model's greatest one in the orifice over sqrt(2 p/rho), p the greatest pressure
   double error;  ///< of the radius, greatest while rising and holding, over the stroke
 };
-constexpr std::array<FillingError, 3> filling_errors{{{0.71, 0.062}, {3.0, 0.37}, {6.8, 0.59}}};
+constexpr std::array<FillingError, 5> filling_errors{
+    {{0.71, 0.056}, {1.1, 0.13}, {3.0, 0.37}, {6.8, 0.59}, {12, 0.90}}};
 
 /// Linear in the logarithm of the speed, constant beyond the ends.
 double filling_error(double speed) {
-  const auto after = std::ranges::find_if(filling_errors, [&](const FillingError& e) { return e.speed > speed; });
+  const auto* const after =
+      std::ranges::find_if(filling_errors, [&](const FillingError& e) { return e.speed > speed; });
   if (after == filling_errors.begin()) return after->error;
   if (after == filling_errors.end()) return filling_errors.back().error;
   const FillingError& before = *(after - 1);

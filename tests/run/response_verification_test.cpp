@@ -11,6 +11,7 @@
 #include "../support/csv.hpp"
 #include "../support/fem_run.hpp"
 #include "turgor/base/errors.hpp"
+#include "turgor/run/rest_energy.hpp"
 
 namespace turgor {
 namespace {
@@ -324,24 +325,49 @@ TEST(ResponseVerification, TellsTheTwoKindsOfRunsApart) {
   }
 }
 
+// A sphere of 0.33 m has the volume of the state of rest that `turgor fem statics` has there, so 7 J is less by the
+// energy of (3.1), 4 pi r0^2 d0 W: the integral of the pressure of the model over the volume, by another rule.
+TEST(ResponseVerification, MeasuresTheEnergyOfTheShape) {
+  const Case c = balloon();
+  const ResponseVerification v = verified(c, [](double t) { return t < 5 ? 0.33 : 0.3; });
+  ASSERT_TRUE(v.shape.has_value());
+  const double volume = balloon_volume(c.parameters, 1.1);
+  double work = 0;
+  constexpr int steps = 2000;
+  for (int i = 0; i < steps; ++i) {
+    const double stretch = 1 + 0.1 * (i + 0.5) / steps;
+    const double shell =
+        balloon_volume(c.parameters, 1 + 0.1 * (i + 1.0) / steps) - balloon_volume(c.parameters, 1 + 0.1 * i / steps);
+    work += static_pressure(c.parameters, stretch).value * shell;
+  }
+  EXPECT_NEAR(v.shape->rows.front(), 7 - work, 0.005 * work);  // the hole makes the membrane 0.3 % stiffer
+  EXPECT_NEAR(v.shape->rows.back(), 7, 1e-3);                  // slack
+  EXPECT_NEAR(RestEnergy(c, volume)(volume), 7 - v.shape->rows.front(), 1e-9 * work);
+  EXPECT_EQ(v.shape->greatest, v.shape->rows.back());
+  EXPECT_NEAR(v.shape->time, 5, 1e-9);
+  EXPECT_EQ(v.shape->elastic, 7);
+}
+
 TEST(ResponseVerification, RefusesDamagedTables) {
   const Case c = balloon({"pressure={ segments = [{ hold = \"1 s\" }, { step = \"2 kPa\" }] }"});
   const Folder folder;
   const auto with = [&](const std::string& lines) {
     write_fsi_run(folder / "run", c, [](double) { return 0.3; });
-    test::write(folder / "run" / "history.csv", "t [s],p_gauge [kPa],r_eff [cm],dr_effdt [m/s]\n" + lines);
+    test::write(folder / "run" / "history.csv",
+                "t [s],p_gauge [kPa],r_eff [cm],dr_effdt [m/s],volume [m^3],elastic [J]\n" + lines);
     return complaint(c, folder / "run");
   };
-  EXPECT_EQ(with("0,0,30,0\n1.5,2,31,0\n"), "nothing");
-  EXPECT_EQ(with("1,0,30,0\n"), "nothing");  // at the jump: before, after
-  EXPECT_EQ(with("1,2,30,0\n"), "nothing");
-  EXPECT_NE(
-      with("0,0,30,0\n0.5,0.1,30,0\n").find("row 3: at t = 0.5 s it has p_gauge = 100 Pa, where [pressure] has 0"),
-      std::string::npos);
-  EXPECT_NE(with("0.5,0,30,0\n0.5,0,30,0\n").find("row 3: t = 0.5 s does not come after"), std::string::npos);
-  EXPECT_NE(with("11,2,30,0\n").find("not between 0 and solve.t_end"), std::string::npos);
-  EXPECT_NE(with("0,0,0,0\n").find("row 2: r_eff = 0 m is not positive"), std::string::npos);
-  EXPECT_NE(with("0,0,nan,0\n").find("row 2: \"nan\" is not a finite number"), std::string::npos);
+  EXPECT_EQ(with("0,0,30,0,0.11,1\n1.5,2,31,0,0.11,1\n"), "nothing");
+  EXPECT_EQ(with("1,0,30,0,0.11,1\n"), "nothing");  // at the jump: before, after
+  EXPECT_EQ(with("1,2,30,0,0.11,1\n"), "nothing");
+  EXPECT_NE(with("0,0,30,0,0.11,1\n0.5,0.1,30,0,0.11,1\n")
+                .find("row 3: at t = 0.5 s it has p_gauge = 100 Pa, where [pressure] has 0"),
+            std::string::npos);
+  EXPECT_NE(with("0.5,0,30,0,0.11,1\n0.5,0,30,0,0.11,1\n").find("row 3: t = 0.5 s does not come after"),
+            std::string::npos);
+  EXPECT_NE(with("11,2,30,0,0.11,1\n").find("not between 0 and solve.t_end"), std::string::npos);
+  EXPECT_NE(with("0,0,0,0,0.11,1\n").find("row 2: r_eff = 0 m is not positive"), std::string::npos);
+  EXPECT_NE(with("0,0,nan,0,0.11,1\n").find("row 2: \"nan\" is not a finite number"), std::string::npos);
   EXPECT_NE(with("").find("has no rows"), std::string::npos);
   test::write(folder / "run" / "history.csv", "t [s],r [m]\n0,0.3\n");
   EXPECT_NE(complaint(c, folder / "run").find("has no column p_gauge"), std::string::npos);

@@ -6,6 +6,7 @@
 #include "program.hpp"
 #include "turgor/base/text.hpp"
 #include "turgor/case/case.hpp"
+#include "turgor/run/membrane_study.hpp"
 #include "turgor/run/report.hpp"
 
 namespace turgor::test {
@@ -51,14 +52,15 @@ inline void write_fem_run(const std::filesystem::path& folder, const Case& c,
   });
 }
 
-/// The same of an elastic balloon, as `turgor fem fsi` has them, with a given effective radius [m].
+/// The same of an elastic balloon, as `turgor fem fsi` has them, with a given effective radius [m]; its volume is that
+/// of the sphere, its elastic energy 7 J.
 inline void write_fsi_run(const std::filesystem::path& folder, const Case& c,
                           const std::function<double(double t)>& radius, const MadeUpRun& run = {}) {
   const std::string header = "p_gauge [kPa],t [" + run.time_unit + "],kinetic [J],r_eff [" + run.length_unit +
-                             "],dr_effdt [" + run.length_unit + "/" + run.time_unit + "]\n";
+                             "],dr_effdt [" + run.length_unit + "/" + run.time_unit + "],volume [m^3],elastic [J]\n";
   write_run(folder, c, run, header, [&](double t) {
     return shortest(c.pressure(t) / 1000) + "," + shortest(t / run.seconds) + ",-," + shortest(radius(t) / run.metres) +
-           ",0.5\n";
+           ",0.5," + shortest(balloon_volume(c.parameters, radius(t) / c.parameters.radius)) + ",7\n";
   });
 }
 

@@ -23,6 +23,8 @@ struct FemRadius {
   double gauge_pressure;  ///< at the inlet [Pa]
   double radius;          ///< r_eff = sqrt(S/pi + r_ch^2)/2 of the wall's area S, section 2.5 of the paper [m]
   double rate;            ///< [m/s]
+  double volume;          ///< of the balloon [m^3]
+  double elastic;         ///< energy of the wall [J]
 };
 
 /// A run directory.

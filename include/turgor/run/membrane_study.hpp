@@ -12,6 +12,9 @@
 
 namespace turgor {
 
+/// What the membrane of a case is made of, and how its rim is held.
+[[nodiscard]] MembraneWall wall_of(const Case& c);
+
 /// The membrane of a case on a chain of its own: 48 elements, finer towards the rim the smaller the orifice. Pressures
 /// are within 1e-5 from R = 1.1 on, with orifices down to r0/100.
 [[nodiscard]] Membrane membrane_of(const Case& c);

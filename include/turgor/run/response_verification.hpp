@@ -54,10 +54,19 @@ struct PhaseErrors {
   std::vector<std::optional<Deviation>> models;  ///< [m]; nothing where a model ended before
 };
 
+/// Elastic energy beyond that of RestEnergy at the same volume: of the balloon's deviation from its shape at rest.
+struct ShapeEnergy {
+  std::vector<double> rows;  ///< of the finite elements [J]; not negative but for rounding
+  double greatest;           ///< [J]
+  double time;               ///< of the first such row [s]
+  double elastic;            ///< the greatest elastic energy of the run [J]; shares are of it
+};
+
 struct ResponseVerification {
   FemResponse fem;
-  Landmarks landmarks;  ///< of the finite elements
-  double stroke;        ///< greatest - least r_eff [m]; shares are of it
+  std::optional<ShapeEnergy> shape;  ///< nothing where the wall has no curve of equilibria that far; a warning says so
+  Landmarks landmarks;               ///< of the finite elements
+  double stroke;                     ///< greatest - least r_eff [m]; shares are of it
   std::vector<ModelResponse> models;
   std::vector<PhaseErrors> parts;  ///< the whole run, then the phases that have rows
   std::vector<Warning> warnings;
