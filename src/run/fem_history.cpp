@@ -28,11 +28,11 @@ struct Kind {
 
 // [scales] follow from the closure, and a dictated motion uses neither them nor the elastic wall.
 const Kind dictated{"turgor fem flow",
-                    {"model", "output", "scales", "fem", "wall", "solve.samples", "solve.times"},
+                    {"model", "output", "scales", "fem", "wall", "expect", "solve.samples", "solve.times"},
                     {{"t", "s"}, {"r", "m"}, {"force", "N"}, {"force_mode", "N"}}};
 const Kind coupled{
     "turgor fem fsi",
-    {"model", "output", "scales", "fem", "solve.samples", "solve.times"},
+    {"model", "output", "scales", "fem", "expect", "solve.samples", "solve.times"},
     {{"t", "s"}, {"p_gauge", "Pa"}, {"r_eff", "m"}, {"dr_effdt", "m/s"}, {"volume", "m^3"}, {"elastic", "J"}}};
 
 InvalidInput unfit(const fs::path& folder, std::string problem, std::string advice = {}) {
