@@ -19,12 +19,12 @@ balloon() {
   "$turgor" verify "$case" --fem "$out/$name" -o "$out/$name.verify" --force -q --no-pictures "$@"
 }
 
-# paper KIND MM [--set KEY=VALUE]...: a case of the paper, cells of twice the default size, a wall that damps
+# paper KIND MM [--set KEY=VALUE]...: a case of the paper, cells of twice the default size
 paper() {
   local kind=$1 mm=$2 cells
   shift 2
   read -r -a cells <<<"$(awk -v a="$mm" 'BEGIN { print a / 30, a / 7.5 }')"
-  balloon "${name:-$kind-${mm}mm}" "$root/cases/$kind-${mm}mm.toml" --set "wall.damping_time=10 ms" --set solve.samples=1201 \
+  balloon "${name:-$kind-${mm}mm}" "$root/cases/$kind-${mm}mm.toml" --set solve.samples=1201 \
     --set "fem.h_rim=${cells[0]} mm" --set "fem.h_orifice=${cells[1]} mm" --set "fem.h_wall=16 mm" --set fem.cfl=1 "$@"
 }
 
