@@ -40,12 +40,13 @@ using FemResponse = FemRun<FemRadius>;
 
 /// Reads the run directory of a case of dictated motion as far as the run has come.
 /// @throws InvalidInput when it is none, or of another case, naming the first key that differs ([model], [output],
-/// [scales], [fem], [wall], [expect] and the rows asked for may); when a row is no number or does not follow the case's motion
+/// [scales], [fem], [wall], [expect] and the rows asked for may); when a row is no number or does not follow the case's
+/// motion
 [[nodiscard]] FemHistory read_fem_history(const Case& c, const std::filesystem::path& folder);
 
 /// Reads the run directory of an elastic balloon as far as the run has come.
-/// @throws InvalidInput when it is none, or of another case ([model], [output], [scales], [fem], [expect] and the rows asked for
-/// may differ); when a row is no number or does not have the pressure of the case's program
+/// @throws InvalidInput when it is none, or of another case ([model], [output], [scales], [fem], [expect] and the rows
+/// asked for may differ); when a row is no number or does not have the pressure of the case's program
 [[nodiscard]] FemResponse read_fem_response(const Case& c, const std::filesystem::path& folder);
 
 }  // namespace turgor
