@@ -23,3 +23,18 @@ configure_package_config_file(cmake/turgorConfig.cmake.in ${PROJECT_BINARY_DIR}/
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/turgorConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/turgorConfig.cmake ${PROJECT_BINARY_DIR}/turgorConfigVersion.cmake
   cmake/FindUdunits2.cmake cmake/FindLibcsv.cmake DESTINATION ${package_dir})
+
+# A Debian package by `cpack -G DEB`: see ./dev package.
+set(CPACK_PACKAGE_NAME turgor)
+set(CPACK_PACKAGE_CONTACT "The Turgor developers <turgor@invalid>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS gnuplot-nox)
+if(TURGOR_PYTHON)
+  set(CPACK_DEBIAN_PACKAGE_DEPENDS python3-numpy)
+  set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-matplotlib, python3-pandas, python3-scipy, python3-tqdm, python3-xarray, python3-netcdf4")
+endif()
+set(CPACK_STRIP_FILES ON)
+include(CPack)

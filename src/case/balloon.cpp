@@ -138,7 +138,7 @@ void read_material(Reader& reader, Case& c) {
 
 void read_balloon(Reader& reader, Case& c) {
   const auto title = reader.text("title");
-  c.title = title ? *title : c.file.stem().string();
+  c.title = title ? *title : c.file.empty() ? "balloon" : c.file.stem().string();
   reader.resolve("title", [&] { return toml_string(c.title); });
   Parameters<double>& p = c.parameters;
   const auto radius = reader.number("balloon.radius");

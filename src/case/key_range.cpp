@@ -19,12 +19,7 @@ double read_value(const Key& key, const std::string& path, std::string_view give
   const std::string text(trimmed(given));
   double value = 0;
   if (key.kind == ValueKind::quantity) {
-    try {
-      value = parse_quantity(text, key.unit);
-    } catch (const InvalidInput& error) {
-      const Issue& issue = error.issues().front();
-      throw InvalidInput(path, "\"" + text + "\"", issue.problem, issue.advice);
-    }
+    value = parse_argument(path, text, key.unit);
   } else {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {

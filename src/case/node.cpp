@@ -143,7 +143,11 @@ std::string Node::text() const {
     std::string operator()(const Quantity& q) const { return "\"" + shortest(q.value) + " " + q.unit + "\""; }
   };
   std::string out = std::visit(Visitor{}, value);
-  if (out.size() > 60) out = out.substr(0, 57) + "...";
+  if (out.size() > 60) {
+    std::size_t end = 57;
+    while (end > 0 && (static_cast<unsigned char>(out[end]) & 0xC0U) == 0x80U) --end;  // not within a character
+    out = out.substr(0, end) + "...";
+  }
   return out;
 }
 

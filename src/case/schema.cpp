@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "turgor/base/text.hpp"
@@ -91,6 +92,45 @@ std::string Schema::nearest(std::string_view path, std::string_view material) co
     }
   }
   return best;
+}
+
+std::string_view name_of(ValueKind kind) {
+  switch (kind) {
+    case ValueKind::quantity: return "quantity";
+    case ValueKind::number: return "number";
+    case ValueKind::integer: return "integer";
+    case ValueKind::boolean: return "true/false";
+    case ValueKind::text: return "string";
+    case ValueKind::quantity_list: return "list of quantities";
+    case ValueKind::number_list: return "list of numbers";
+    case ValueKind::text_list: return "list of strings";
+    case ValueKind::table:
+    case ValueKind::free_table: return "table";
+    case ValueKind::table_list: return "list of tables";
+  }
+  return "";
+}
+
+std::string table_of(const Key& key) {
+  const std::size_t dot = key.path.find('.');
+  return dot == std::string::npos ? "" : key.path.substr(0, dot);
+}
+
+std::string schema_json(const Schema& schema, std::string_view table) {
+  nlohmann::ordered_json document = nlohmann::ordered_json::array();
+  for (const Key& key : schema.keys()) {
+    if (!table.empty() && table_of(key) != table) continue;
+    document.push_back({{"key", key.path},
+                        {"type", name_of(key.kind)},
+                        {"unit", key.unit},
+                        {"range", key.range.text(key.unit)},
+                        {"choices", key.choices},
+                        {"default", key.fallback},
+                        {"required", key.required},
+                        {"only_with_material", key.only_with},
+                        {"meaning", key.meaning}});
+  }
+  return document.dump(2) + "\n";
 }
 
 }  // namespace turgor

@@ -99,4 +99,13 @@ double parse_quantity(std::string_view text, const std::string& unit) {
   return value;
 }
 
+double parse_argument(const std::string& name, std::string_view text, const std::string& unit) {
+  try {
+    return parse_quantity(text, unit);
+  } catch (const InvalidInput& error) {
+    const Issue& issue = error.issues().front();
+    throw InvalidInput(name, "\"" + std::string(text) + "\"", issue.problem, issue.advice);
+  }
+}
+
 }  // namespace turgor

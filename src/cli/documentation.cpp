@@ -11,31 +11,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string kind_name(ValueKind kind) {
-  switch (kind) {
-    case ValueKind::quantity: return "quantity";
-    case ValueKind::number: return "number";
-    case ValueKind::integer: return "integer";
-    case ValueKind::boolean: return "true/false";
-    case ValueKind::text: return "string";
-    case ValueKind::quantity_list: return "list of quantities";
-    case ValueKind::number_list: return "list of numbers";
-    case ValueKind::text_list: return "list of strings";
-    case ValueKind::table:
-    case ValueKind::free_table: return "table";
-    case ValueKind::table_list: return "list of tables";
-  }
-  return "";
-}
-
-std::string table_of(const Key& key) {
-  const std::size_t dot = key.path.find('.');
-  return dot == std::string::npos ? "" : key.path.substr(0, dot);
-}
-
 /// "quantity [m], > 0 m, required" and the like.
 std::string rule(const Key& key) {
-  std::string out = kind_name(key.kind);
+  std::string out(name_of(key.kind));
   const bool dimensional = key.kind == ValueKind::quantity || key.kind == ValueKind::quantity_list;
   if (dimensional) out += " [" + key.unit + "]";
   if (!key.range.is_everything()) out += ", " + key.range.text(dimensional ? key.unit : "1");
@@ -61,7 +39,10 @@ int print_documentation(const DocArguments& arguments) {
   }
   if (!found) throw InvalidInput("table", arguments.table, "no such table in a case file", "known are " + names);
 
-  Json document = Json::array();
+  if (arguments.json) {
+    std::cout << schema_json(schema, arguments.table);
+    return exit_done;
+  }
   std::string text;
   std::string table = "?";
   for (const Key& key : schema.keys()) {
@@ -74,17 +55,8 @@ int print_documentation(const DocArguments& arguments) {
     }
     const std::string only = key.only_with.empty() ? "" : " (" + key.only_with + ")";
     text += "  " + key.path + only + "\n      " + rule(key) + "\n      " + key.meaning + "\n";
-    document.push_back({{"key", key.path},
-                        {"type", kind_name(key.kind)},
-                        {"unit", key.unit},
-                        {"range", key.range.text(key.unit)},
-                        {"choices", key.choices},
-                        {"default", key.fallback},
-                        {"required", key.required},
-                        {"only_with_material", key.only_with},
-                        {"meaning", key.meaning}});
   }
-  std::cout << (arguments.json ? document.dump(2) + "\n" : text);
+  std::cout << text;
   return exit_done;
 }
 

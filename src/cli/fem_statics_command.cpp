@@ -16,12 +16,7 @@ namespace {
 
 std::optional<double> quantity(const char* name, const std::string& text, const char* unit) {
   if (text.empty()) return std::nullopt;
-  try {
-    return parse_quantity(text, unit);
-  } catch (const InvalidInput& error) {
-    const Issue& issue = error.issues().front();
-    throw InvalidInput(name, "\"" + text + "\"", issue.problem, issue.advice);
-  }
+  return parse_argument(name, text, unit);
 }
 
 MembraneQuestions questions_of(const FemStaticsArguments& arguments) {

@@ -34,12 +34,7 @@ double value_of(const std::string& word, std::string_view text, const std::strin
     if (const auto number = plain_number(text)) return *number;
   }
   if (unit == "1") throw InvalidInput(word, std::string(text), "is not a finite number", "write for example 1.1");
-  try {
-    return parse_quantity(text, unit);
-  } catch (const InvalidInput& error) {
-    const Issue& issue = error.issues().front();
-    throw InvalidInput(word, "\"" + std::string(text) + "\"", issue.problem, issue.advice);
-  }
+  return parse_argument(word, text, unit);
 }
 
 /// One "word=value" of --at.

@@ -16,14 +16,7 @@ namespace {
 
 PortraitQuestion question_of(const PortraitArguments& arguments) {
   PortraitQuestion question;
-  if (!arguments.pressure.empty()) {
-    try {
-      question.pressure = parse_quantity(arguments.pressure, "Pa");
-    } catch (const InvalidInput& error) {
-      const Issue& issue = error.issues().front();
-      throw InvalidInput("--pressure", "\"" + arguments.pressure + "\"", issue.problem, issue.advice);
-    }
-  }
+  if (!arguments.pressure.empty()) question.pressure = parse_argument("--pressure", arguments.pressure, "Pa");
   if (!arguments.stretches.empty()) {
     const NumberRange range = number_range("--stretch-range", arguments.stretches);
     for (const auto& R : {range.from, range.to}) {

@@ -14,13 +14,7 @@ namespace turgor::cli {
 namespace {
 
 double read_compliance(const std::string& text) {
-  double value = 0;
-  try {
-    value = parse_quantity(text, "m^3/Pa");
-  } catch (const InvalidInput& error) {
-    const Issue& issue = error.issues().front();
-    throw InvalidInput("--compliance", "\"" + text + "\"", issue.problem, issue.advice);
-  }
+  const double value = parse_argument("--compliance", text, "m^3/Pa");
   if (value < 0) {
     throw InvalidInput("--compliance", "\"" + text + "\"", "out of range",
                        "allowed is >= 0 m^3/Pa; 0 prescribes the volume itself");

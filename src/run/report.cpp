@@ -127,6 +127,18 @@ std::vector<RowTime> row_times(const Case& c, const RunResult& result) {
   return rows;
 }
 
+std::vector<TrajectoryRow> trajectory_rows(const Case& c, const RunResult& result) {
+  std::vector<TrajectoryRow> rows;
+  for (const RowTime& time : row_times(c, result)) {
+    TrajectoryRow& row = rows.emplace_back();
+    row.state = physical_state(*result.oscillator, *result.trajectory, time.scaled);
+    row.state.time = time.seconds;
+    row.state.gauge_pressure = c.pressure(time.seconds);
+    row.energies = result.energies->at(std::min(time.scaled, result.trajectory->last.time));
+  }
+  return rows;
+}
+
 std::string trajectory_csv(const Case& c, const RunResult& result) {
   const OutputSettings& o = c.output;
   const double s = unit_factor(o.time_unit, "s");
@@ -139,12 +151,10 @@ std::string trajectory_csv(const Case& c, const RunResult& result) {
                     o.pressure_unit + "],regime,volume [" + o.volume_unit + "],flow_rate [" + o.flow_unit +
                     "],kinetic [" + o.energy_unit + "],elastic [" + o.energy_unit + "],inlet_work [" + o.energy_unit +
                     "],dissipated [" + o.energy_unit + "]\n";
-  const std::vector<RowTime> rows = row_times(c, result);
+  const std::vector<TrajectoryRow> rows = trajectory_rows(c, result);
   out.reserve(out.size() + rows.size() * 200);
-  for (const RowTime& row : rows) {
-    const PhysicalState state = physical_state(*result.oscillator, *result.trajectory, row.scaled);
-    const Energies energies = result.energies->at(std::min(row.scaled, result.trajectory->last.time));
-    append_number(out, row.seconds, s);
+  for (const auto& [state, energies] : rows) {
+    append_number(out, state.time, s);
     const auto column = [&](double value, double factor) {
       out += ',';
       append_number(out, value, factor);
@@ -152,7 +162,7 @@ std::string trajectory_csv(const Case& c, const RunResult& result) {
     column(state.stretch, 1);
     column(state.stretch_rate, 1 / s);
     column(state.radius, m);
-    column(c.pressure(row.seconds), pa);
+    column(state.gauge_pressure, pa);
     out += ',' + std::to_string(number_of(state.regime));
     column(state.volume, m3);
     column(state.flow_rate, m3_s);

@@ -111,12 +111,33 @@ RunResult run_motion(const Case& c, const Progress& progress) {
   return result;
 }
 
-RunResult run_case(const Case& c, const Progress& progress) {
-  RunResult result = run_motion(c, progress);
+namespace {
+
+/// Everything of a result that follows from its motion.
+void conclude(const Case& c, RunResult& result) {
   result.energies = std::make_unique<EnergyLedger>(*result.oscillator, *result.trajectory);
   result.quantities = quantities_of_interest(result);
   result.warnings = strained_assumptions(c, result);
   result.expectations = check(c, result);
+}
+
+}  // namespace
+
+RunResult run_case(const Case& c, const Progress& progress) {
+  RunResult result = run_motion(c, progress);
+  conclude(c, result);
+  return result;
+}
+
+RunResult restored_run(const Case& c, const ModelChoice& choice, Trajectory<double> trajectory,
+                       double integration_seconds) {
+  RunResult result;
+  result.oscillator = std::make_unique<Oscillator<double>>(make_oscillator(c, choice.model));
+  result.trajectory = std::make_unique<Trajectory<double>>(std::move(trajectory));
+  result.choice = compare_models(c, {choice.least_stretch, choice.greatest_stretch});
+  result.choice.model = choice.model;
+  result.integration_seconds = integration_seconds;
+  conclude(c, result);
   return result;
 }
 

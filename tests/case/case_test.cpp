@@ -34,6 +34,15 @@ TEST(Case, IsReadInSiUnits) {
   EXPECT_EQ(c.source, test::contents(paper_case));
 }
 
+TEST(Node, LongTextsAreShortenedBetweenCharacters) {
+  for (std::size_t letters = 54; letters < 58; ++letters) {
+    const std::string text = Node{std::string(letters, 'a') + "\xE2\x82\xAC\xE2\x82\xAC\xE2\x82\xAC", "", 0}.text();
+    const std::string kept = text.substr(0, text.size() - 3);
+    EXPECT_TRUE(text.ends_with("...")) << text;
+    EXPECT_TRUE(kept.ends_with('a') || kept.ends_with("\xE2\x82\xAC")) << text;
+  }
+}
+
 TEST(Case, OverridesReplaceAnyKey) {
   const Case c = read_case(
       paper_case, {"inlet.orifice_radius=2 cm", "solve.rtol=1e-6", "model.name=full", "initial.stretch = equilibrium",

@@ -24,6 +24,9 @@ enum class ValueKind {
   free_table,  ///< a table whose keys are not declared; the part that reads it checks them
 };
 
+/// "quantity", "list of numbers", ...
+[[nodiscard]] std::string_view name_of(ValueKind kind);
+
 /// Allowed values of a number, in the SI unit of its key.
 struct Range {
   double least = -std::numeric_limits<double>::infinity();
@@ -83,6 +86,13 @@ class Schema {
   std::unordered_map<std::string, std::vector<std::size_t>, Hash, std::equal_to<>> by_path_;
   std::vector<Table> tables_;
 };
+
+/// "inlet" of "inlet.orifice_radius"; empty for a key outside tables.
+[[nodiscard]] std::string table_of(const Key& key);
+
+/// The keys of a table, or all, as a JSON array: key, type, unit, range, choices, default, required,
+/// only_with_material, meaning.
+[[nodiscard]] std::string schema_json(const Schema& schema, std::string_view table = {});
 
 /// "pressure.segments[2].to" -> "pressure.segments[].to"
 [[nodiscard]] std::string without_indices(std::string_view path);

@@ -13,6 +13,10 @@ namespace turgor {
 /// finite
 [[nodiscard]] double parse_quantity(std::string_view text, const std::string& unit);
 
+/// The same for an argument that is no key of a case: an option of a command, a parameter of a function.
+/// @throws InvalidInput with the argument's name as its key
+[[nodiscard]] double parse_argument(const std::string& name, std::string_view text, const std::string& unit);
+
 /// Factor f such that x [from] = f x [to]; both units of the same dimension, without offset.
 /// @throws InvalidInput (without a key) when a unit is unknown or the dimensions differ
 [[nodiscard]] double unit_factor(const std::string& from, const std::string& to);

@@ -35,6 +35,14 @@ struct RowTime {
 /// way has its end as the last row.
 [[nodiscard]] std::vector<RowTime> row_times(const Case& c, const RunResult& result);
 
+/// A row of tables, SI units.
+struct TrajectoryRow {
+  PhysicalState state;
+  Energies energies;
+};
+/// The rows of trajectory.csv; times are exactly as requested.
+[[nodiscard]] std::vector<TrajectoryRow> trajectory_rows(const Case& c, const RunResult& result);
+
 /// A double as text in a table, in the unit that `factor` converts to; -0 becomes 0.
 void append_number(std::string& out, double value, double factor = 1);
 

@@ -72,6 +72,11 @@ using Progress = std::function<bool(double)>;
 /// The motion alone: the oscillator, the trajectory and the choice of the model; nothing else of the result is there.
 [[nodiscard]] RunResult run_motion(const Case& c, const Progress& progress = {});
 
+/// The result of an earlier run from what cannot be computed again without integrating: the rest follows.
+/// @param choice  model, automatic and the range of stretches
+[[nodiscard]] RunResult restored_run(const Case& c, const ModelChoice& choice, Trajectory<double> trajectory,
+                                     double integration_seconds);
+
 /// What a summary has to hold so that these quantities can be had.
 /// @param asked  indices in quantity_names()
 [[nodiscard]] SummaryOptions needed_for(std::span<const std::size_t> asked);
