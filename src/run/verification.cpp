@@ -15,11 +15,11 @@ using Motion = PrescribedMotion<double>;
 using Force = double FemForces::*;
 
 /// Velocities are monotone within a phase, and keep their sign.
-Course course_of(const Motion::Interval& in) {
+MotionCourse course_of(const Motion::Interval& in) {
   const double first = std::abs(in.phase.velocity(in.begin));
   const double last = std::abs(in.phase.velocity(in.end));
-  if (in.phase.velocity.is_constant()) return Course::constant;
-  return last > first ? Course::accelerating : Course::decelerating;
+  if (in.phase.velocity.is_constant()) return MotionCourse::constant;
+  return last > first ? MotionCourse::accelerating : MotionCourse::decelerating;
 }
 
 std::vector<VerifiedRow> rows_of(const Case& c, const std::vector<FemForces>& fem,
@@ -88,9 +88,10 @@ ForceComparison compare(const std::vector<VerifiedRow>& all, std::size_t closure
   for (const Regime regime : {Regime::inflating, Regime::rest, Regime::deflating}) {
     add({regime, {}});
     if (regime == Regime::rest) continue;
-    for (const Course course : {Course::accelerating, Course::constant, Course::decelerating}) add({regime, course});
+    for (const MotionCourse course : {MotionCourse::accelerating, MotionCourse::constant, MotionCourse::decelerating})
+      add({regime, course});
   }
-  const Rows even = rows_in(all, {Regime::deflating, Course::constant});
+  const Rows even = rows_in(all, {Regime::deflating, MotionCourse::constant});
   for (std::size_t i = 0; i < closures; ++i) {
     if (const auto ratio = ratio_of(even, i, force)) comparison.even_deflation.push_back(*ratio);
   }
@@ -104,8 +105,8 @@ std::string MotionPart::name() const {
   std::string name = "deflating";
   if (regime != Regime::deflating) name = regime == Regime::rest ? "at rest" : "inflating";
   if (!course) return name;
-  if (*course == Course::constant) return name + ", constant velocity";
-  return name + (*course == Course::accelerating ? ", accelerating" : ", decelerating");
+  if (*course == MotionCourse::constant) return name + ", constant velocity";
+  return name + (*course == MotionCourse::accelerating ? ", accelerating" : ", decelerating");
 }
 
 Verification verify(const Case& c, FemHistory fem) {

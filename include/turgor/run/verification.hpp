@@ -12,12 +12,12 @@
 namespace turgor {
 
 /// How the speed |dr/dt| goes in a phase of a motion.
-enum class Course { accelerating, constant, decelerating };
+enum class MotionCourse { accelerating, constant, decelerating };
 
 /// Phases of a motion whose errors are looked at together.
 struct MotionPart {
   Regime regime;
-  std::optional<Course> course;  ///< nothing: all of them
+  std::optional<MotionCourse> course;  ///< nothing: all of them
 
   /// "inflating", "deflating, constant velocity", ...
   [[nodiscard]] std::string name() const;
@@ -27,7 +27,7 @@ struct MotionPart {
 /// jumps, steps have come from before.
 struct VerifiedRow {
   PrescribedMotion<double>::State state;
-  Course course;
+  MotionCourse course;
   FemForces fem;
   std::vector<double> models;  ///< generalized force by each closure [N]
 };
