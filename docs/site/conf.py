@@ -30,6 +30,7 @@ html_theme_options = {
     "light_css_variables": {"font-stack": "system-ui, sans-serif", "font-stack--monospace": "ui-monospace, monospace"},
 }
 pygments_style = "friendly"
+highlight_language = "text"
 
 breathe_projects = {"turgor": str(root / "build/docs/doxygen/xml")}
 breathe_default_project = "turgor"

@@ -65,6 +65,7 @@ class Site:
         self.kept = set()
         self.write("index.md", (ROOT / "docs/site/index.md").read_text())
         self.committed()
+        self.python()
         self.gallery()
         self.recorded()
         self.benchmarks()
@@ -82,10 +83,17 @@ class Site:
     def committed(self):
         """Pages and pictures as they are; the overviews that GitHub shows are not pages of the site."""
         listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "*.md", "*.png"], cwd=ROOT, capture_output=True, text=True, check=True)
-        elsewhere = ("README.md", "docs/README.md", "tests/", "docs/site/", "docs/gallery/README.md", "docs/benchmarks.md")
+        elsewhere = ("README.md", "docs/README.md", "tests/", "docs/site/", "docs/gallery/README.md", "docs/benchmarks.md",
+                     "docs/python/index.md")
         for path in listed.stdout.split():
             if not path.startswith(elsewhere) and not re.fullmatch(r"verification/.+/README.md", path):
                 self.copy(path)
+
+    def python(self):
+        """The pages of the Python package: all that there are, below their index."""
+        pages = sorted(page.stem for page in (ROOT / "docs/python").glob("*.md") if page.stem != "index")
+        text = (ROOT / "docs/python/index.md").read_text()
+        self.write("docs/python/index.md", text + "\n" + toctree(pages, "hidden") if pages else text)
 
     def gallery(self):
         """The gallery with every case file below the picture that is made from it."""
@@ -123,7 +131,7 @@ class Site:
     def decisions(self):
         notes = sorted((ROOT / "docs/decisions").glob("[0-9]*.md"))
         self.write("docs/decisions/index.md", "# Decisions\n\nWhy things are as they are, with what was measured and what else there was.\n\n" +
-                   toctree([note.stem for note in notes]))
+                   toctree([note.stem for note in notes], "titlesonly"))
 
     def citing(self):
         facts = yaml.safe_load((ROOT / "CITATION.cff").read_text())
@@ -166,13 +174,23 @@ class Site:
 
         self.write("reference/commands.md", text + chapter([], 2))
 
+    def doxygen(self):
+        """The comments of the headers as XML, made again when one of them has changed: all C++ pages are read again then."""
+        output = self.folder / "doxygen"
+        settings = ROOT / "docs/site/Doxyfile"
+        names = ROOT / "docs/site/headers.sed"
+        done = output / "xml/index.xml"
+        if done.exists() and done.stat().st_mtime > max(
+                file.stat().st_mtime for file in [*(ROOT / "include").rglob("*.hpp"), settings, names]):
+            return
+        output.mkdir(parents=True, exist_ok=True)
+        places = (f"\nINPUT = {ROOT / 'include'}\nSTRIP_FROM_PATH = {ROOT / 'include'}\nOUTPUT_DIRECTORY = {output}\n"
+                  f"INPUT_FILTER = \"sed -f {names}\"\n")
+        subprocess.run(["doxygen", "-"], input=settings.read_text() + places, text=True, check=True)
+
     def interface(self):
         """One page for each room of include/turgor, from the comments in its headers."""
-        output = self.folder / "doxygen"
-        output.mkdir(parents=True, exist_ok=True)
-        settings = (ROOT / "docs/site/Doxyfile").read_text()
-        settings += f"\nINPUT_FILTER = \"sed -f {ROOT / 'docs/site/headers.sed'}\"\nINPUT = {ROOT / 'include'}\nSTRIP_FROM_PATH = {ROOT / 'include'}\nOUTPUT_DIRECTORY = {output}\n"
-        subprocess.run(["doxygen", "-"], input=settings, text=True, check=True)
+        self.doxygen()
         held = dict(re.findall(r"^\| (`.*?`) \| (.*?) \|$", (ROOT / "CONTRIBUTING.md").read_text(), re.M))
         about = {room: what for rooms, what in held.items() for room in re.findall(r"`(\w+)`", rooms)}
         rooms = sorted(folder.name for folder in (ROOT / "include/turgor").iterdir())
@@ -185,8 +203,9 @@ class Site:
         consumer = fenced((ROOT / "examples/consumer/CMakeLists.txt").read_text(), "cmake") + "\n" + fenced(
             (ROOT / "examples/consumer/main.cpp").read_text(), "cpp")
         self.write("reference/api/index.md", "# The C++ interface\n\n`cmake --install build/release` installs a library that "
-                   "`find_package(turgor)` finds. All quantities are in SI units or dimensionless.\n\n" + consumer +
-                   "\nThe headers, by the rooms of `include/turgor`:\n\n" + toctree(rooms))
+                   "`find_package(turgor)` finds. Everything is in the namespace `turgor`, in SI units or dimensionless.\n\n" + consumer +
+                   "\nThe headers, by the rooms of `include/turgor`, from low to high in [Contributing](../../CONTRIBUTING.md#how-the-tree-is-laid-out):\n\n" +
+                   toctree(rooms, "titlesonly"))
 
     def static(self):
         """Style and fonts of the formulas, the style of the site."""
@@ -209,6 +228,14 @@ def number(value):
     return f"{value:.6g}" if isinstance(value, float) else value if not isinstance(value, list) else ", ".join(map(str, value))
 
 
+def short(text):
+    """The text of a number with six digits, other text as it is."""
+    try:
+        return f"{float(text):.6g}"
+    except ValueError:
+        return text
+
+
 def numbers(record):
     """A reference.json as tables: the panels of check.py, or tables within tables."""
     text = ""
@@ -216,7 +243,7 @@ def numbers(record):
         if name == "panels":
             for panel, asked in value.items():
                 rows = [(quantity, "; ".join(f"{key} {number(rule[key])}" for key in rule if key != "values"),
-                         ", ".join(f"{number(found)} at {x}" for x, found in rule.get("values", {}).items()))
+                         ", ".join(f"{number(found)} at {short(x)}" for x, found in rule.get("values", {}).items()))
                         for quantity, rule in asked["quantities"].items()]
                 text += f"### {panel}\n\n" + table(("quantity", "asked of it", "recorded"), rows)
         elif not isinstance(value, dict):

@@ -26,7 +26,7 @@ def file_named(name):
 
 def faults(row, known):
     """In words, what is wrong with a row."""
-    number, _, where, test, verdict = row
+    number, _, verdict, where, test = row
     files = {name: file_named(name) for name in re.findall(r"`([\w./]+\.[ch]pp)`", where)}
     for name in (name for name, file in files.items() if file is None):
         yield f"{number}: there is no file {name}"
