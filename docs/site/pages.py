@@ -11,10 +11,13 @@ import re
 import shutil
 import subprocess
 import sys
+import textwrap
+import urllib.parse
 
 import yaml
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+WIDTH = 90  # characters of a line of help
 SHOWN = "briefdescription detaileddescription innerclass func typedef enum var public-type public-func public-static-func public-attrib public-static-attrib"
 KATEX = pathlib.Path("/usr/share/javascript/katex")
 
@@ -86,6 +89,8 @@ class Site:
         elsewhere = ("README.md", "docs/README.md", "tests/", "docs/site/", "docs/gallery/README.md", "docs/benchmarks.md",
                      "docs/python/index.md")
         for path in listed.stdout.split():
+            if path.endswith(".md"):
+                check_addresses(path)
             if not path.startswith(elsewhere) and not re.fullmatch(r"verification/.+/README.md", path):
                 self.copy(path)
 
@@ -166,7 +171,9 @@ class Site:
 
         def chapter(words, level):
             help_text = self.turgor(*words, "--help")
-            found = f"{'#' * level} {' '.join(['turgor', *words])}\n\n{fenced(help_text, 'text')}\n"
+            lines = "\n".join(textwrap.fill(line, WIDTH, subsequent_indent=" " * 30 if line.startswith("  ") else "")
+                              for line in help_text.splitlines())
+            found = f"{'#' * level} {' '.join(['turgor', *words])}\n\n{fenced(lines, 'text')}\n"
             inner = re.search(r"^Subcommands:\n((?:  .*\n)+)", help_text, re.M)
             for name in re.findall(r"^  (\w\S*)", inner[1], re.M) if inner else ():
                 found += chapter([*words, name], min(level + 1, 4))
@@ -217,6 +224,14 @@ class Site:
         for font in (KATEX / "fonts").glob("*.woff2"):
             shutil.copy(font, target / "katex/fonts")
         shutil.copy(ROOT / "docs/site/site.css", target)
+
+
+def check_addresses(path):
+    """Stops at a link to elsewhere that cannot be one; whether it answers is not asked, since nothing here needs a network."""
+    for address in re.findall(r"\]\((\w+:[^)]*)\)", (ROOT / path).read_text()):
+        parts = urllib.parse.urlsplit(address)
+        if parts.scheme != "https" or "." not in (parts.hostname or ""):
+            raise SystemExit(f"{path}: the link to {address} has no https:// and the name of a site")
 
 
 def escaped(text):
