@@ -18,7 +18,8 @@ import yaml
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 WIDTH = 90  # characters of a line of help
-SHOWN = "briefdescription detaileddescription innerclass func typedef enum var public-type public-func public-static-func public-attrib public-static-attrib"
+SHOWN = ("briefdescription detaileddescription innerclass func typedef enum var public-type public-func public-static-func "
+         "public-attrib public-static-attrib")
 KATEX = pathlib.Path("/usr/share/javascript/katex")
 
 
@@ -85,12 +86,13 @@ class Site:
 
     def committed(self):
         """Pages and pictures as they are; the overviews that GitHub shows are not pages of the site."""
-        listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "*.md", "*.png"], cwd=ROOT, capture_output=True, text=True, check=True)
+        listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "*.md", "*.png"], cwd=ROOT,
+                                capture_output=True, text=True, check=True)
         elsewhere = ("README.md", "docs/README.md", "tests/", "docs/site/", "docs/gallery/README.md", "docs/benchmarks.md",
                      "docs/python/index.md")
         for path in listed.stdout.split():
-            if path.endswith(".md"):
-                check_addresses(path)
+            if path.endswith(".md") and not path.startswith("docs/site/"):
+                check_links(path)
             if not path.startswith(elsewhere) and not re.fullmatch(r"verification/.+/README.md", path):
                 self.copy(path)
 
@@ -107,7 +109,8 @@ class Site:
         def with_cases(match):
             names = re.findall(r"`([^`]+\.toml)`", match[2])
             files = [fenced((ROOT / "cases" / name).read_text(), "toml") for name in names]
-            return match[0] + "".join(f"\n<details><summary>{name}</summary>\n\n{file}\n</details>\n" for name, file in zip(names, files))
+            return match[0] + "".join(f"\n<details><summary>{name}</summary>\n\n{file}\n</details>\n"
+                                      for name, file in zip(names, files))
 
         self.write("docs/gallery/README.md", re.sub(r"^(`turgor figure .*?) · cases (.*?)$", with_cases, text, flags=re.M))
 
@@ -135,8 +138,8 @@ class Site:
 
     def decisions(self):
         notes = sorted((ROOT / "docs/decisions").glob("[0-9]*.md"))
-        self.write("docs/decisions/index.md", "# Decisions\n\nWhy things are as they are, with what was measured and what else there was.\n\n" +
-                   toctree([note.stem for note in notes], "titlesonly"))
+        self.write("docs/decisions/index.md", "# Decisions\n\nWhy things are as they are, with what was measured "
+                   "and what else there was.\n\n" + toctree([note.stem for note in notes], "titlesonly"))
 
     def citing(self):
         facts = yaml.safe_load((ROOT / "CITATION.cff").read_text())
@@ -211,8 +214,8 @@ class Site:
             (ROOT / "examples/consumer/main.cpp").read_text(), "cpp")
         self.write("reference/api/index.md", "# The C++ interface\n\n`cmake --install build/release` installs a library that "
                    "`find_package(turgor)` finds. Everything is in the namespace `turgor`, in SI units or dimensionless.\n\n" + consumer +
-                   "\nThe headers, by the rooms of `include/turgor`, from low to high in [Contributing](../../CONTRIBUTING.md#how-the-tree-is-laid-out):\n\n" +
-                   toctree(rooms, "titlesonly"))
+                   "\nThe headers, by the rooms of `include/turgor`; what each is for: "
+                   "[Contributing](../../CONTRIBUTING.md#how-the-tree-is-laid-out).\n\n" + toctree(rooms, "titlesonly"))
 
     def static(self):
         """Style and fonts of the formulas, the style of the site."""
@@ -226,12 +229,16 @@ class Site:
         shutil.copy(ROOT / "docs/site/site.css", target)
 
 
-def check_addresses(path):
-    """Stops at a link to elsewhere that cannot be one; whether it answers is not asked, since nothing here needs a network."""
-    for address in re.findall(r"\]\((\w+:[^)]*)\)", (ROOT / path).read_text()):
-        parts = urllib.parse.urlsplit(address)
-        if parts.scheme != "https" or "." not in (parts.hostname or ""):
-            raise SystemExit(f"{path}: the link to {address} has no https:// and the name of a site")
+def check_links(path):
+    """Stops at a link to a file that is not there, also on pages that are not part of the site, and at one to elsewhere that cannot be
+    one; whether it answers is not asked, since nothing here needs a network."""
+    text = re.sub(r"^```.*?^```", "", (ROOT / path).read_text(), flags=re.M | re.S)
+    for link in re.findall(r"(?<!`)\]\(([^)\s#]+)[^)]*\)", text):
+        parts = urllib.parse.urlsplit(link)
+        if parts.scheme and (parts.scheme != "https" or "." not in (parts.hostname or "")):
+            raise SystemExit(f"{path}: the link to {link} has no https:// and the name of a site")
+        if not parts.scheme and not ((ROOT / path).parent / link).exists():
+            raise SystemExit(f"{path}: there is no {link} to link to")
 
 
 def escaped(text):
