@@ -27,7 +27,7 @@ struct Checkpoint {
 [[nodiscard]] std::uint64_t fingerprint(const std::string& text);
 
 /// Magic, version, everything, and a CRC-64 of it; numbers as they are in memory.
-/// @throws ComputationFailed, naming the array, when a number is not finite
+/// @throws ComputationFailed naming the array, when a number is not finite
 [[nodiscard]] std::string checkpoint_bytes(const Checkpoint& checkpoint);
 /// @throws ComputationFailed with the reason when the bytes are no whole checkpoint
 [[nodiscard]] Checkpoint parse_checkpoint(const std::string& bytes);

@@ -82,7 +82,7 @@ class FlowProblem {
   /// Time reached [s].
   [[nodiscard]] virtual double time() const = 0;
   /// One accepted step, never beyond t_stop > time() [s]; a step that ends there makes time() exactly t_stop.
-  /// @throws ComputationFailed, in words, when there is no such step; the state is then that of the last accepted one
+  /// @throws ComputationFailed in words, when there is no such step; the state is then that of the last accepted one
   virtual SolverRow step(double t_stop) = 0;
   /// The flow at time().
   [[nodiscard]] virtual FlowRow row() const = 0;

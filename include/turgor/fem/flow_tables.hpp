@@ -24,11 +24,11 @@ enum class HistoryKind { dictated, coupled };
 /// The columns of history.csv.
 [[nodiscard]] std::vector<TableColumn<FlowRow>> history_columns(const OutputSettings& output, HistoryKind kind);
 [[nodiscard]] std::string history_header(const OutputSettings& output, HistoryKind kind);
-/// @throws ComputationFailed, naming the column, when a number is not finite
+/// @throws ComputationFailed naming the column, when a number is not finite
 [[nodiscard]] std::string history_line(const OutputSettings& output, HistoryKind kind, const FlowRow& row);
 
 [[nodiscard]] std::string solver_header(const OutputSettings& output);
-/// @throws ComputationFailed, naming the column, when a number is not finite
+/// @throws ComputationFailed naming the column, when a number is not finite
 [[nodiscard]] std::string solver_line(const OutputSettings& output, const SolverRow& row);
 
 }  // namespace turgor

@@ -38,7 +38,7 @@ constexpr void unrolled(const Action& action) {
 }
 
 /// sum over j < terms of weight(j) k[j], unrolled, vanishing weights left out. The first weight must not vanish.
-/// @param weight  a lambda without captures, so that it can be evaluated while compiling
+/// @tparam Weight  a lambda without captures, so that it can be evaluated while compiling
 template <std::size_t terms, class Weight, class State, std::size_t count>
 [[nodiscard]] State combination(Weight /*weight*/, const std::array<State, count>& k) {
   using V = typename State::Scalar;
