@@ -13,7 +13,9 @@ author = "The Turgor developers"
 copyright = author
 version = release = re.search(r"project\(turgor VERSION (\S+)", (root / "CMakeLists.txt").read_text())[1]
 
-extensions = ["myst_parser", "breathe", "formulas"]
+extensions = ["myst_parser", "breathe", "formulas", "sphinx.ext.autodoc"]
+autodoc_member_order = "bysource"
+autodoc_typehints = "description"
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 4
 suppress_warnings = ["myst.header"]  # pages such as the changelog skip levels of headings on purpose
@@ -41,4 +43,4 @@ cpp_id_attributes = ["nodiscard"]
 nitpicky = True
 # Names in C++ declarations that are no pages here: the standard library and others, template parameters, and turgor's own
 # in declarations outside of the namespace that they are found from.
-nitpick_ignore_regex = [("cpp:.*", ".*")]
+nitpick_ignore_regex = [("cpp:.*", ".*"), ("py:.*", ".*")]

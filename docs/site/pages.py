@@ -6,12 +6,14 @@ FOLDER/static what the pages load.
 """
 
 import json
+import os
 import pathlib
 import re
 import shutil
 import subprocess
 import sys
 import textwrap
+import types
 import urllib.parse
 
 import yaml
@@ -33,6 +35,21 @@ def row(cells):
 
 def table(head, rows):
     return row(head) + row(["---"] * len(head)) + "".join(map(row, rows)) + "\n"
+
+
+def python_reference():
+    """Every public name of the package by autodoc."""
+    import turgor
+
+    text = "Python reference\n================\n\n"
+    for name in turgor.__all__:
+        thing = getattr(turgor, name)
+        kind = "autoclass" if isinstance(thing, type) else "autofunction" if callable(thing) else "autodata"
+        if isinstance(thing, types.ModuleType):
+            text += f".. automodule:: turgor.{name}\n   :members:\n\n"
+        else:
+            text += f".. {kind}:: turgor.{name}\n" + ("   :members:\n\n" if kind == "autoclass" else "\n")
+    return text
 
 
 def toctree(pages, *options):
@@ -99,8 +116,19 @@ class Site:
     def python(self):
         """The pages of the Python package: all that there are, below their index."""
         pages = sorted(page.stem for page in (ROOT / "docs/python").glob("*.md") if page.stem != "index")
-        text = (ROOT / "docs/python/index.md").read_text()
-        self.write("docs/python/index.md", text + "\n" + toctree(pages, "hidden") if pages else text)
+        notebooks = [self.notebook(path) for path in sorted((ROOT / "examples/notebooks").glob("*.ipynb"))]
+        self.write("docs/python/reference.rst", python_reference())
+        self.write("docs/python/index.md", (ROOT / "docs/python/index.md").read_text() + "\n" +
+                   toctree([*pages, *notebooks, "reference"], "hidden"))
+
+    def notebook(self, path):
+        """A notebook with what it prints and draws; where it is as seen from the index of the Python pages."""
+        folder = self.source / "docs/python/notebooks"
+        command = ["jupyter-nbconvert", "--to", "markdown", "--execute", "--log-level", "ERROR", "--output-dir", folder, path]
+        python = "/usr/lib/python3/dist-packages:" + os.environ.get("PYTHONPATH", "")
+        subprocess.run(command, check=True, env=os.environ | {"PYTHONPATH": python})
+        self.kept |= {folder / f"{path.stem}.md", *(folder / f"{path.stem}_files").glob("*")}
+        return f"notebooks/{path.stem}"
 
     def gallery(self):
         """The gallery with every case file below the picture that is made from it."""

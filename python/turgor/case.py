@@ -159,7 +159,7 @@ class Case:
         return MappingProxyType(tomllib.loads(self._native.resolved))
 
     def __getattr__(self, name: str) -> Any:
-        if name in TABLES:
+        if name in TABLES and "_native" in self.__dict__:
             return Table(name, self._tables.get(name, {}))
         raise AttributeError(f"a case has no {name!r}; its tables are {', '.join(TABLES)}")
 

@@ -28,6 +28,8 @@ class Columns(Mapping[str, "npt.NDArray[Any]"]):
         self._columns = {name: _array([row[i] for row in body]) for i, name in enumerate(self.units)}
 
     def __getitem__(self, name: str) -> npt.NDArray[Any]:
+        if name not in self._columns:
+            raise KeyError(f"{name}: there is no such column; there are {', '.join(self)}")
         return self._columns[name]
 
     def __iter__(self) -> Iterator[str]:
