@@ -153,7 +153,8 @@ constexpr std::array studies{Study{"manufactured", manufactured},
                              Study{"balances", balances},
                              Study{"orifice-inertance", orifice_inertance},
                              Study{"coupled-modes", coupled_modes},
-                             Study{"coupled-orders", coupled_orders}};
+                             Study{"coupled-orders", coupled_orders},
+                             Study{"elastic-tube", elastic_tube}};
 
 int main_of(const std::string& name) {
   const auto* const study = std::ranges::find_if(studies, [&](const Study& s) { return name == s.name; });

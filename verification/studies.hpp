@@ -15,5 +15,6 @@ inline void print(const std::string& panel, const std::string& quantity, double 
 void orifice_inertance();
 void coupled_modes();
 void coupled_orders();
+void elastic_tube();
 
 }  // namespace turgor

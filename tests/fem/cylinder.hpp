@@ -1,5 +1,6 @@
 #pragma once
-// A cylinder of liquid 0 <= r <= 1, 0 <= z <= 1 in n x n cells, inlet below, walls above and around, and flows in it.
+// A cylinder of liquid, 0 <= r <= 1, 0 <= z <= 1 in n x n cells unless told otherwise, inlet below, walls above and
+// around, and flows in it.
 
 #include <cmath>
 
@@ -9,26 +10,43 @@
 
 namespace turgor {
 
-/// @param around  what the outer side is
-inline BalloonMesh cylinder(std::size_t n, Side around = Side::wall) {
+struct CylinderRequest {
+  std::size_t columns;  ///< of cells, from the axis to the outer side
+  std::size_t rows;
+  double radius = 1;
+  double length = 1;
+  Side below = Side::inlet;
+  Side around = Side::wall;
+};
+
+inline BalloonMesh cylinder(const CylinderRequest& request) {
+  const auto [n, rows, radius, length, below, around] = request;
   BalloonMesh mesh;
-  const auto at = [n](std::size_t i, std::size_t j) { return j * (n + 1) + i; };
-  const double h = 1.0 / static_cast<double>(n);
-  for (std::size_t j = 0; j <= n; ++j) {
+  const auto at = [n = n](std::size_t i, std::size_t j) { return j * (n + 1) + i; };
+  const double width = radius / static_cast<double>(n);
+  const double height = length / static_cast<double>(rows);
+  for (std::size_t j = 0; j <= rows; ++j) {
     for (std::size_t i = 0; i <= n; ++i)
-      mesh.points.push_back({static_cast<double>(i) * h, static_cast<double>(j) * h});
+      mesh.points.push_back({static_cast<double>(i) * width, static_cast<double>(j) * height});
   }
-  for (std::size_t j = 0; j < n; ++j) {
+  for (std::size_t j = 0; j < rows; ++j) {
     for (std::size_t i = 0; i < n; ++i) {
       mesh.cells.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
       mesh.wall_edge.push_back(BalloonMesh::no_edge);
     }
-    mesh.boundary.push_back({{at(j, 0), at(j + 1, 0)}, Side::inlet});
     mesh.boundary.push_back({{at(n, j), at(n, j + 1)}, around});
-    mesh.boundary.push_back({{at(j + 1, n), at(j, n)}, Side::wall});
     mesh.boundary.push_back({{at(0, j + 1), at(0, j)}, Side::axis});
   }
+  for (std::size_t i = 0; i < n; ++i) {
+    mesh.boundary.push_back({{at(i, 0), at(i + 1, 0)}, below});
+    mesh.boundary.push_back({{at(i + 1, rows), at(i, rows)}, Side::wall});
+  }
   return mesh;
+}
+
+/// @param around  what the outer side is
+inline BalloonMesh cylinder(std::size_t n, Side around = Side::wall) {
+  return cylinder({.columns = n, .rows = n, .around = around});
 }
 
 /// A solenoidal flow that is smooth at the axis, on a mesh that moves and bends:

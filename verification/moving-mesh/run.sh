@@ -1,10 +1,3 @@
 #!/usr/bin/env bash
 # What the motion of the mesh must not do to the flow: run.sh OUTPUT_FOLDER [--record]
-set -euo pipefail
-here=$(cd "$(dirname "$0")" && pwd)
-root=$(cd "$here/../.." && pwd)
-out=$1
-mkdir -p "$out"
-export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
-"$root/build/release/bin/flow-studies" moving-mesh >"$out/errors.csv"
-/usr/bin/python3 "$here/../check.py" "$out" "$here/reference.json" "${@:2}"
+exec "$(dirname "$0")/../study.sh" "$0" "flow-studies moving-mesh" "$@"
