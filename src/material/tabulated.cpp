@@ -20,9 +20,8 @@ std::string text_of(const T& number) {
   return shortest(static_cast<double>(number));
 }
 
-/// @return the index of stretch 1
 template <class T>
-std::size_t check(const std::vector<T>& stretch, const std::vector<T>& stress) {
+void check(const std::vector<T>& stretch, const std::vector<T>& stress) {
   constexpr std::size_t least = 4;
   if (stretch.size() != stress.size()) {
     throw InvalidInput(stress_key, "",
@@ -43,10 +42,16 @@ std::size_t check(const std::vector<T>& stretch, const std::vector<T>& stress) {
       throw InvalidInput(key_of(stress_key, i), text_of(stress[i]), "not a finite number");
     }
     if (i > 0 && !(stretch[i] > stretch[i - 1])) {
-      throw InvalidInput(key_of(stretch_key, i), text_of(stretch[i]) + " after " + text_of(stretch[i - 1]),
-                         "stretches must increase strictly", "sort the points, and average those of the same stretch");
+      throw InvalidInput(key_of(stretch_key, i), text_of(stretch[i]),
+                         "is not above " + text_of(stretch[i - 1]) + ", the stretch before",
+                         "stretches must increase strictly: sort the points, and average those of the same stretch");
     }
   }
+}
+
+/// The index of stretch 1, after checking that the wall is unstretched there.
+template <class T>
+std::size_t unstretched(const std::vector<T>& stretch, const std::vector<T>& stress) {
   const auto one = static_cast<std::size_t>(std::ranges::find(stretch, T(1)) - stretch.begin());
   if (one == stretch.size()) {
     throw InvalidInput(stretch_key, "", "has no point at stretch 1, where the wall is unstretched",
@@ -102,7 +107,8 @@ std::vector<T> curvatures(const std::vector<T>& x, const std::vector<T>& y) {
 
 template <class T>
 StressTable<T>::StressTable(std::vector<T> stretch, const std::vector<T>& stress) : stretch_(std::move(stretch)) {
-  const std::size_t one = check(stretch_, stress);
+  check(stretch_, stress);
+  const std::size_t one = unstretched(stretch_, stress);
   const std::vector<T> second = curvatures(stretch_, stress);
   const std::size_t last = stretch_.size() - 1;
   std::vector<T> slope(last + 1);
@@ -116,9 +122,9 @@ StressTable<T>::StressTable(std::vector<T> stretch, const std::vector<T>& stress
     third[i] = (second[i + 1] - second[i]) / (6 * h);
     energy[i + 1] = energy[i] + h * ((stress[i] + stress[i + 1]) / 2 - h * h * (second[i] + second[i + 1]) / 24);
   }
-  const T unstretched = energy[one];
+  const T at_rest = energy[one];
   const auto piece = [&](std::size_t i, const T& half_second, const T& sixth_third) {
-    return Piece{stretch_[i], energy[i] - unstretched, {stress[i], slope[i], half_second, sixth_third}};
+    return Piece{stretch_[i], energy[i] - at_rest, {stress[i], slope[i], half_second, sixth_third}};
   };
   pieces_.push_back(piece(0, T(0), T(0)));
   for (std::size_t i = 0; i < last; ++i) {

@@ -29,7 +29,7 @@ viscosity = "8.94e-4 Pa s"
 [inlet]
 orifice_radius = "3 cm"
 [pressure]
-constant = "20 kPa"
+constant = "8 kPa"
 [solve]
 t_end = "2 s"
 samples = 20
@@ -63,7 +63,7 @@ std::string with(const std::string& from, const std::string& to) {
 TEST(MaterialTable, MistakesInListsAreExplained) {
   expect_all(refusal(with("0.9, 1.0", "1.0")), {"case.toml:8", "material.table.stress", "5 values", "has 4"});
   expect_all(refusal(with("1.5, 2.0", "1.5, 1.5")),
-             {"case.toml:8", "material.table.stretch[4]", "1.5 after 1.5", "sort"});
+             {"case.toml:8", "material.table.stretch[4]", "material.table.stretch[4] = 1.5: is not above 1.5", "sort"});
   expect_all(refusal(with("0 Pa", "1 kPa")), {"case.toml:8", "material.table.stress[1]", "must be 0", "subtract"});
   expect_all(refusal(with("1.0,", "1.01,")), {"case.toml:8", "material.table.stretch", "no point at stretch 1"});
   expect_all(refusal(with("1.5,", "nan,")), {"case.toml:8", "material.table.stretch[3]", "finite"});
@@ -108,7 +108,7 @@ TEST(MaterialTable, MistakesInFilesAreExplained) {
   says(head + "1,0,0\n", {"wall.csv, row 2", "3 columns"});
   says(head + "1,0\n1.1,nan\n", {"wall.csv, row 3", "not a finite number"});
   says(head + "1,0\n1.1,\n", {"wall.csv, row 3", "not a finite number"});
-  says(head + "1,0\n1.2,1\n1.1,2\n1.4,4\n", {"row 4: 1.1 after 1.2", "increase strictly"});
+  says(head + "1,0\n1.2,1\n1.1,2\n1.4,4\n", {"row 4: 1.1: is not above 1.2", "increase strictly"});
   says(head + "0.9,-1\n1,0.5\n1.1,2\n1.4,4\n", {"row 3: 500 Pa", "must be 0"});
   says(head + "1,0\n1.1,1\n", {"2 points", "four"});
 }
@@ -128,7 +128,7 @@ TEST(MaterialTable, FileListsAndResolvedCaseMoveTheSameToTheBit) {
   EXPECT_EQ(run("lists.toml", "third"), expected);
   const std::string resolved = contents(folder / "first" / "resolved.toml");
   EXPECT_EQ(contents(folder / "second" / "resolved.toml"), resolved);
-  expect_all(resolved, {"table = { stretch = [0.9, 1.0, 1.2, 1.5, 2.0], stress = [\"-1000000 Pa\", \"0 Pa\""});
+  expect_all(resolved, {"table = { stretch = [0.9, 1.0, 1.2, 1.5, 2.0], stress = [\"-1e+06 Pa\", \"0 Pa\""});
   EXPECT_EQ(resolved.find("wall.csv"), std::string::npos);
 }
 

@@ -249,7 +249,7 @@ TEST(StressTable, RefusesWhatIsNoTable) {
   };
   says({1, 2, 3}, {0, 1, 2}, {"material.table.stretch", "3 points", "four"});
   says({1, 2, 3, 4}, {0, 1, 2}, {"material.table.stress", "3 values", "has 4"});
-  says({1, 2, 2, 4}, {0, 1, 2, 3}, {"material.table.stretch[2]", "2 after 2", "increase strictly"});
+  says({1, 2, 2, 4}, {0, 1, 2, 3}, {"material.table.stretch[2]", "not above 2", "increase strictly"});
   says({1, 2, NAN, 4}, {0, 1, 2, 3}, {"material.table.stretch[2]", "nan"});
   says({0, 1, 2, 4}, {0, 0, 2, 3}, {"material.table.stretch[0]", "> 0"});
   says({1, 2, 3, 4}, {0, 1, 2, INFINITY}, {"material.table.stress[3]", "finite"});
