@@ -236,7 +236,7 @@ TEST(MembraneWarnings, SnapsOrBurstsAboveIt) {
 // What `turgor fem fsi` asks before anything else.
 TEST(MembraneWarnings, RefuseATableOfEqualBiaxialStretch) {
   try {
-    (void)warnings(R"([{ hold = "1 s" }])", "1.0", "material-table");
+    (void)membrane_warnings(read_case(shipped("material-table")));
     FAIL() << "expected InvalidInput";
   } catch (const InvalidInput& error) {
     EXPECT_EQ(error.issues().front().key, "material.model");

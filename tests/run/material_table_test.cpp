@@ -101,7 +101,7 @@ TEST(TabulatedWall, InfoTellsOfRestBeyondTheTable) {
   EXPECT_TRUE(says(narrow, "beyond material.table, which goes from 0.9 to 1.3"));
   EXPECT_TRUE(says(narrow, "the equilibrium at R = "));
   const std::string wide = table_of_paper(0.9, 12, 4, 200);
-  for (const char* known : {"R = 1.23", "R = 2.22", "R = 4.39"}) {
+  for (const char* known : {"R = 1.23", "R = 2.22", "R = 4.389"}) {
     EXPECT_TRUE(says(wide, known));
     EXPECT_FALSE(says(wide, "the equilibrium at " + std::string(known)));
   }
