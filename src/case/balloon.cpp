@@ -1,22 +1,8 @@
+#include "material.hpp"
 #include "parts.hpp"
 #include "turgor/base/text.hpp"
 
 namespace turgor {
-
-namespace {
-
-std::vector<std::string> material_names() {
-  std::vector<std::string> names;
-  for (const auto& entry : catalogue()) names.emplace_back(entry.name);
-  return names;
-}
-
-ValueKind kind_of(const MaterialConstant& constant) {
-  if (constant.unit == "1") return constant.is_list ? ValueKind::number_list : ValueKind::number;
-  return constant.is_list ? ValueKind::quantity_list : ValueKind::quantity;
-}
-
-}  // namespace
 
 void declare_balloon(Schema& schema) {
   using enum ValueKind;
@@ -32,27 +18,7 @@ void declare_balloon(Schema& schema) {
               .required = true,
               .meaning = "density of the wall"});
 
-  schema.describe("material", "hyperelastic wall; `turgor materials` lists energies and references");
-  schema.add({.path = "material.model",
-              .kind = text,
-              .choices = material_names(),
-              .required = true,
-              .meaning = "material model"});
-  for (const auto& entry : catalogue()) {
-    for (const auto& constant : entry.constants) {
-      schema.add({.path = "material." + std::string(constant.key),
-                  .kind = kind_of(constant),
-                  .unit = std::string(constant.unit),
-                  .range = constant.positive ? positive : Range{},
-                  .required = true,
-                  .only_with = std::string(entry.name),
-                  .meaning = std::string(constant.meaning)});
-    }
-  }
-  schema.add({.path = "material.max_stretch",
-              .kind = number,
-              .range = {1, largest_stretch, true},
-              .meaning = "stretch at which the wall bursts, which ends the run"});
+  declare_material(schema);
 
   schema.describe("fluid", "the liquid");
   schema.add({.path = "fluid.density", .unit = "kg/m^3", .range = positive, .required = true, .meaning = "density"});
@@ -101,40 +67,6 @@ void declare_balloon(Schema& schema) {
                   "for `turgor fem`: beta of the traction beta rho U (u_n - U) that keeps inflow of mean velocity U "
                   "even; the mean traction stays that of the pressure"});
 }
-
-namespace {
-
-void read_material(Reader& reader, Case& c) {
-  const auto model = reader.text("material.model");
-  c.max_stretch = reader.number("material.max_stretch").value_or(0);
-  if (!model) return;
-  c.material_name = *model;
-  MaterialValues values;
-  bool complete = true;
-  for (const auto& entry : catalogue()) {
-    if (entry.name != *model) continue;
-    for (const auto& constant : entry.constants) {
-      const std::string path = "material." + std::string(constant.key);
-      if (constant.is_list) {
-        const auto list = reader.list(path);
-        complete = complete && list;
-        if (list) values[std::string(constant.key)] = *list;
-      } else {
-        const auto value = reader.number(path);
-        complete = complete && value;
-        if (value) values[std::string(constant.key)] = {*value};
-      }
-    }
-  }
-  if (!complete) return;
-  try {
-    c.parameters.material = make_material(*model, values);
-  } catch (const InvalidInput& error) {
-    reader.complain(error);
-  }
-}
-
-}  // namespace
 
 void read_balloon(Reader& reader, Case& c) {
   const auto title = reader.text("title");

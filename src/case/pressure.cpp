@@ -1,8 +1,5 @@
-#include <array>
-#include <filesystem>
-
-#include "csv_table.hpp"
 #include "parts.hpp"
+#include "points.hpp"
 #include "segments.hpp"
 #include "turgor/base/text.hpp"
 
@@ -15,6 +12,9 @@ const SegmentKeys segment_keys{.start = "pressure.start",
                                .quantity = "pressure",
                                .example = "36 kPa",
                                .steps = true};
+
+const PointKeys table_keys{
+    "pressure.table", {"t", "p"}, R"(write { file = "p.csv" } or { t = ["0 s", ...], p = ["0 Pa", ...] })"};
 }  // namespace
 
 void declare_pressure(Schema& schema) {
@@ -62,41 +62,15 @@ void read_harmonic(Reader& reader, Case& c) {
 }
 
 void read_table(Reader& reader, Case& c) {
-  if (reader.node("pressure.table")->as<Node::Table>() == nullptr) return;  // said by check_unknown
-  const bool inline_points = reader.node("pressure.table.t") != nullptr || reader.node("pressure.table.p") != nullptr;
   const auto interpolation = reader.text("pressure.table.interpolation");
-  const auto file = reader.text("pressure.table.file");
-  std::array<std::vector<double>, 2> table;  // times and pressures
-  if (inline_points == file.has_value()) {
-    reader.complain("pressure.table", inline_points ? "has both a file and inline points" : "has no points",
-                    "write { file = \"p.csv\" } or { t = [\"0 s\", ...], p = [\"0 Pa\", ...] }");
-    return;
-  }
-  try {
-    if (file) {
-      const auto columns = read_csv(c.file.parent_path() / *file, {{"s"}, {"Pa"}});
-      table = {columns[0].values, columns[1].values};
-    } else {
-      for (const char* key : {"pressure.table.t", "pressure.table.p"}) {
-        if (reader.node(key) == nullptr) reader.complain("pressure.table", std::string("has no list ") + key);
-      }
-      const auto times = reader.list("pressure.table.t");
-      const auto pressures = reader.list("pressure.table.p");
-      if (!times || !pressures) return;
-      table = {*times, *pressures};
-    }
+  const auto points = read_points(reader, c, table_keys, [&](const Points& p) {
     if (!interpolation) return;
-    c.pressure = table_pressure(table[0], table[1],
-                                *interpolation == "linear" ? TableInterpolation::linear : TableInterpolation::cubic);
-  } catch (const InvalidInput& error) {
-    for (const Issue& issue : error.issues()) {
-      reader.complain(file ? "pressure.table.file" : "pressure.table",
-                      issue.value.empty() ? issue.problem : issue.value + ": " + issue.problem, issue.advice);
-    }
-    return;
-  }
+    c.pressure =
+        table_pressure(p[0], p[1], *interpolation == "linear" ? TableInterpolation::linear : TableInterpolation::cubic);
+  });
+  if (!points || !interpolation) return;
   reader.resolve("pressure.table", [&] {
-    return "{ t = " + toml_list(table[0], "s") + ", p = " + toml_list(table[1], "Pa") +
+    return "{ t = " + toml_list((*points)[0], "s") + ", p = " + toml_list((*points)[1], "Pa") +
            ", interpolation = " + toml_string(*interpolation) + " }";
   });
 }

@@ -26,6 +26,8 @@ Material<Value> common_material(std::span<const Member* const> members) {
           }
           all.mu.resize(terms, Value(0));
           all.alpha.resize(terms, Value(1));
+        } else if constexpr (requires { all.tables; }) {  // a lane that stands idle needs some table
+          all.tables.fill(std::get<Solid<double>>(first).tables.front());
         }
         return all;
       },

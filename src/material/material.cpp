@@ -46,6 +46,12 @@ const std::vector<MaterialEntry>& catalogue() {
        "Arruda & Boyce (1993) J. Mech. Phys. Solids 41, 389",
        {{"mu", "Pa", false, true, "coefficient of the series"},
         {"lambda_m", "1", false, true, "locking stretch of a chain"}}},
+      {"table",
+       "2 int_1^lambda s, s(lambda) a cubic spline through the points",
+       "points of the nominal stress s in equal biaxial stretch, given or in a CSV file",
+       {{"table.stretch", "1", true, true, "stretches of the points, increasing, one of them 1"},
+        {"table.stress", "Pa", true, false,
+         "force per unstretched area there in equal biaxial stretch, 0 at stretch 1"}}},
   };
   return entries;
 }
@@ -106,10 +112,18 @@ Material<double> build(std::string_view name, const MaterialValues& values) {
   if (name == "gent-gent") return GentGent<double>{one("mu"), one("jm"), one("c2")};
   if (name == "ogden") return Ogden<double>{many("mu"), many("alpha")};
   if (name == "fung") return Fung<double>{one("mu"), one("b")};
+  if (name == "table") return tabulated(many("table.stretch"), many("table.stress"));
   return ArrudaBoyce<double>{one("mu"), one("lambda_m")};
 }
 
 }  // namespace
+
+void refuse_two_stretches() {
+  throw InvalidInput("material.model", "table",
+                     "a table of equal biaxial stretch does not tell the stresses of a wall that stretches differently "
+                     "in two directions, as it does by finite elements",
+                     "fit one of the other materials to it; `turgor materials` lists them");
+}
 
 Material<double> make_material(std::string_view name, const MaterialValues& values) {
   const MaterialEntry* entry = nullptr;
@@ -129,10 +143,11 @@ Material<double> make_material(std::string_view name, const MaterialValues& valu
   Material<double> material = build(name, values);
   const double stiffness = strain_energy(material, 1.0).second;
   if (!(stiffness > 0)) {
-    throw InvalidInput("material", std::string(name),
-                       "these constants make the unstretched material unstable (d2W/dlambda2 = " + shortest(stiffness) +
-                           " Pa at lambda = 1)",
-                       "the small-strain shear modulus must be positive");
+    throw InvalidInput(
+        "material", std::string(name),
+        "these constants make the unstretched material unstable (d2W/dlambda2 = " + shortest(stiffness) +
+            " Pa at lambda = 1)",
+        name == "table" ? "the stress must rise through stretch 1" : "the small-strain shear modulus must be positive");
   }
   return material;
 }

@@ -47,6 +47,24 @@ std::vector<TimeConstants> time_constants_of(const Oscillator<double>& oscillato
   return constants;
 }
 
+/// States of rest that a table does not know are made of the straight lines beyond it.
+void warn_of_table(const Case& c, CaseInfo& info) {
+  const KnownStretches<double> known = known_stretches(c.parameters.material);
+  std::string list;
+  const auto include = [&](const char* what, double stretch) {
+    constexpr double rounding = 1e-9;
+    if (stretch >= known.least - rounding && stretch <= known.greatest + rounding) return;
+    list += (list.empty() ? "" : ", ") + std::string(what) + " R = " + rounded(stretch, 6);
+  };
+  for (const LimitPoint& point : info.limit_points) include("the limit point at", point.stretch);
+  for (const EquilibriaAt& at : info.equilibria) {
+    for (const Equilibrium& state : at.states) include("the equilibrium at", state.stretch);
+  }
+  if (list.empty()) return;
+  info.run.warnings.push_back({"table-range", "beyond material.table, which goes from " + rounded(known.least, 6) +
+                                                  " to " + rounded(known.greatest, 6) + ", lie " + list});
+}
+
 Json groups_json(const Groups<double>& g) {
   const auto finite = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
   return {{"C1", g.C1},
@@ -70,6 +88,7 @@ CaseInfo case_info(const Case& c) {
   info.limit_points = limit_points(c.parameters);
   info.equilibria = equilibria_of(c);
   info.run = run_case(c);
+  warn_of_table(c, info);
   info.time_constants = time_constants_of(*info.run.oscillator, info.equilibria);
   return info;
 }

@@ -188,6 +188,7 @@ InflationCurve curve_up_to(const Case& c, const Membrane& membrane, double stret
 
 MembraneWall wall_of(const Case& c) {
   const auto& p = c.parameters;
+  if (std::holds_alternative<Tabulated<double>>(p.material)) refuse_two_stretches();
   return {.material = p.material,
           .thickness = p.thickness,
           .density = p.solid_density,

@@ -21,7 +21,7 @@ constexpr double much_smaller = 0.1;
 constexpr double high_reynolds = 1000;
 constexpr double viscous_share = 0.05;
 constexpr double slack = 0.01;         // a range of fits does not end sharply
-constexpr double compression = 0.001;  // undershoot of R = 1 that is worth a word
+constexpr double compression = 0.001;  // undershoot of R = 1, or of a table's beginning, that is worth a word
 
 /// What finite elements found for balloons that fill through a bare orifice (docs/fem-coupled.md, "How far to trust the
 /// model while it fills").
@@ -68,6 +68,12 @@ class Checks {
     if (range_.least < 1 - compression) {
       warn("compression", "the balloon is compressed to R = " + rounded(range_.least, 6) +
                               ": a membrane buckles there, the model does not");
+    }
+    const KnownStretches<double> known = known_stretches(p_.material);
+    if (range_.least < known.least - compression || range_.greatest > known.greatest) {
+      warn("table-range", "R goes from " + rounded(range_.least, 6) + " to " + rounded(range_.greatest, 6) +
+                              ", but material.table from " + rounded(known.least, 6) + " to " +
+                              rounded(known.greatest, 6) + ": beyond it the stress went on along straight lines");
     }
   }
 

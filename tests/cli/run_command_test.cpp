@@ -97,7 +97,8 @@ TEST(RunCommand, WritesTheRunDirectory) {
 }
 
 TEST(RunCommand, RunningTheResolvedCaseGivesIdenticalBits) {
-  for (const char* name : {"orifice-10mm", "channel-30mm", "material-gent-gent", "material-fung", "material-yeoh"}) {
+  for (const char* name :
+       {"orifice-10mm", "channel-30mm", "material-gent-gent", "material-fung", "material-yeoh", "material-table"}) {
     const Folder folder;
     ASSERT_EQ(turgor(folder, {"run", shipped(name), "-o", "first", "--no-pictures"}).code, 0);
     ASSERT_EQ(turgor(folder, {"run", "first/resolved.toml", "-o", "second", "--no-pictures"}).code, 0);

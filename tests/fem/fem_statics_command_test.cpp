@@ -203,6 +203,8 @@ TEST(FemStatics, Mistakes) {
   EXPECT_NE(message(paper({"--volume", "3 Pa"})).find("dimension"), std::string::npos);
   EXPECT_NE(message(paper({"--volume", "-3 L"})).find("allowed is > 0"), std::string::npos);
   EXPECT_NE(message(fem_statics({shipped("motion-orifice-30mm")})).find("motion"), std::string::npos);
+  EXPECT_NE(message(fem_statics({shipped("material-table")})).find("material.model = table: a table of equal biaxial"),
+            std::string::npos);
 }
 
 /// Warnings of the shipped case of `turgor fem fsi` under another pressure and start.
@@ -229,6 +231,16 @@ TEST(MembraneWarnings, SnapsOrBurstsAboveIt) {
   const auto bursts = warnings(R"([{ to = "5 kPa", over = "1 s" }])", "1.0", "material-neo-hookean");
   ASSERT_EQ(bursts.size(), 1U);
   EXPECT_NE(bursts[0].text.find("bursts"), std::string::npos) << bursts[0].text;
+}
+
+// What `turgor fem fsi` asks before anything else.
+TEST(MembraneWarnings, RefuseATableOfEqualBiaxialStretch) {
+  try {
+    (void)membrane_warnings(read_case(shipped("material-table")));
+    FAIL() << "expected InvalidInput";
+  } catch (const InvalidInput& error) {
+    EXPECT_EQ(error.issues().front().key, "material.model");
+  }
 }
 
 TEST(MembraneWarnings, Buckles) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string_view>
 
 #include "turgor/material/material.hpp"
@@ -17,7 +18,24 @@ inline MaterialValues sample_constants(std::string_view name) {
   if (name == "ogden") return {{"mu", {6.3e5, 1.2e3, -1e4}}, {"alpha", {1.3, 5.0, -2.0}}};
   if (name == "fung") return {{"mu", {5e4}}, {"b", {0.8}}};
   if (name == "arruda-boyce") return {{"mu", {3e5}}, {"lambda_m", {5.0}}};
+  if (name == "table") {
+    MaterialValues points{{"table.stretch", {}}, {"table.stress", {}}};
+    for (int i = -12; i <= 120; ++i) {
+      const double l = 1 + i * 0.05;
+      points["table.stretch"].push_back(l);
+      points["table.stress"].push_back(i == 0 ? 0.0
+                                              : 2e5 * (l - std::pow(l, -5)) + 2e4 * (l * l * l - std::pow(l, -3)));
+    }
+    return points;
+  }
   return {};
+}
+
+/// Those whose energy is known at two different stretches.
+inline std::vector<MaterialEntry> materials_of_two_stretches() {
+  std::vector<MaterialEntry> all = catalogue();
+  std::erase_if(all, [](const MaterialEntry& entry) { return entry.name == "table"; });
+  return all;
 }
 
 }  // namespace turgor

@@ -206,6 +206,9 @@ class OscillatorLanes {
         lane(all.alpha[p], l) = p < one.alpha.size() ? one.alpha[p] : T(1);
       }
     }
+    void operator()(Tabulated<V>& all) const {
+      all.tables[static_cast<std::size_t>(l)] = std::get<Tabulated<T>>(given).tables[0];
+    }
   };
 
   /// What stays the same for a balloon all the way.

@@ -3,6 +3,8 @@
 //
 // Principal stretches (lambda, lambda, lambda^-2): the balloon stays a sphere, eq. (2.16).
 
+#include <complex>
+
 #include "turgor/base/power.hpp"
 
 namespace turgor {
@@ -15,6 +17,16 @@ struct Jet {
   S first;
   S second;
 };
+
+/// What a material decides by: the number itself, also when derivatives are carried along as its imaginary part.
+template <class S>
+[[nodiscard]] auto real_part(const S& value) {
+  return value;
+}
+template <class T>
+[[nodiscard]] T real_part(const std::complex<T>& value) {
+  return value.real();
+}
 
 /// A quotient whose division is still to be done.
 template <class S>

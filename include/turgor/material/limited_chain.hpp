@@ -2,7 +2,6 @@
 // What the Gent family shares: a strain energy that becomes infinite where I1 - 3 reaches jm.
 
 #include <cmath>
-#include <complex>
 #include <limits>
 #include <type_traits>
 
@@ -22,15 +21,6 @@ template <class T>
     x = next;
   }
   return sqrt(x);
-}
-
-template <class S>
-[[nodiscard]] auto real_part(const S& value) {
-  return value;
-}
-template <class T>
-[[nodiscard]] T real_part(const std::complex<T>& value) {
-  return value.real();
 }
 
 /// -(mu jm/2) ln(1 - j/jm) as a function of j = I1 - 3, with derivatives; all +infinity from j = jm on.

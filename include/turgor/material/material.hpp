@@ -17,14 +17,15 @@
 #include "turgor/material/mooney_rivlin.hpp"
 #include "turgor/material/neo_hookean.hpp"
 #include "turgor/material/ogden.hpp"
+#include "turgor/material/tabulated.hpp"
 #include "turgor/material/yeoh.hpp"
 
 namespace turgor {
 
 /// One of the known hyperelastic materials; T is the type of its constants.
 template <class T>
-using Material =
-    std::variant<MooneyRivlin<T>, NeoHookean<T>, Yeoh<T>, Gent<T>, GentGent<T>, Ogden<T>, Fung<T>, ArrudaBoyce<T>>;
+using Material = std::variant<MooneyRivlin<T>, NeoHookean<T>, Yeoh<T>, Gent<T>, GentGent<T>, Ogden<T>, Fung<T>,
+                              ArrudaBoyce<T>, Tabulated<T>>;
 
 /// Strain energy density W [J/m^3] at stretch lambda > 0, with dW/dlambda and d2W/dlambda2 [Pa].
 /// Infinite, never NaN, at or beyond stretch_limit(material) and where a material locks in compression.
@@ -33,14 +34,22 @@ template <class T, class S>
   return std::visit([&](const auto& solid) { return solid.energy(lambda); }, material);
 }
 
+/// Says that a table of equal biaxial stretch does not tell what happens at two different stretches.
+/// @throws InvalidInput for material.model, always
+[[noreturn]] void refuse_two_stretches();
+
 /// Strain energy density W [J/m^3] at principal stretches l1, l2 > 0 of an incompressible sheet, with its derivatives
 /// [Pa]. Infinite, never NaN, where the material has locked (I1 - 3 >= jm) and where a number is out of double's range.
+/// @throws InvalidInput for a table, see refuse_two_stretches
 template <class T, class S>
 [[nodiscard]] BiaxialJet<S> strain_energy(const Material<T>& material, const S& l1, const S& l2) {
   return std::visit(
       [&](const auto& solid) {
         if constexpr (requires { solid.energy(l1, l2); }) {
           return infinite_unless_finite(solid.energy(l1, l2));
+        } else if constexpr (!requires(S j) { solid.of_first(j); }) {
+          refuse_two_stretches();
+          return BiaxialJet<S>{};
         } else {
           const BiaxialJet<S> i1 = first_invariant_minus_3(l1, l2);
           const BiaxialJet<S> first = of_invariant(solid.of_first(i1.value), i1);
@@ -82,6 +91,19 @@ template <class T>
         }
       },
       material);
+}
+
+/// Stretches between which a material is known: 0 and +infinity, but those of its first and last point for a table.
+template <class T>
+struct KnownStretches {
+  T least;
+  T greatest;
+};
+template <class T>
+[[nodiscard]] KnownStretches<T> known_stretches(const Material<T>& material) {
+  const auto* given = std::get_if<Tabulated<T>>(&material);
+  if (given == nullptr) return {T(0), std::numeric_limits<T>::infinity()};
+  return {given->tables[0]->least_stretch(), given->tables[0]->greatest_stretch()};
 }
 
 /// No elastomer stretches this far (natural rubber breaks near 8): beyond it a balloon counts as running away, and no

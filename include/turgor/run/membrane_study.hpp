@@ -13,6 +13,7 @@
 namespace turgor {
 
 /// What the membrane of a case is made of, and how its rim is held.
+/// @throws InvalidInput for a material that is a table, see refuse_two_stretches
 [[nodiscard]] MembraneWall wall_of(const Case& c);
 
 /// The membrane of a case on a chain of its own: 48 elements, finer towards the rim the smaller the orifice. Pressures
