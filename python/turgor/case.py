@@ -10,9 +10,11 @@ from os import PathLike, fspath
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from . import _core, _toml
 from .errors import invalid
-from .reports import Flow, Report
+from .reports import Columns, Flow, Report, coefficients
 from .run import Run
 
 if TYPE_CHECKING:
@@ -255,6 +257,14 @@ class Case:
         """
         given = _argument("pressure", pressure, "Pa")
         return Flow(_core.flow(self._native, stretch, rate, time, acceleration, given, fspath(profile)), stretch, rate)
+
+    def coefficients(self, stretches: Any = 1.0, *, profile: str | PathLike[str] = "", harmonics: int = 0) -> Columns:
+        """g1 ... g5 of the liquid's force (2.8) on this balloon at stretches R: kappa = r_ch/(r0 R).
+
+        See :func:`turgor.coefficients` for the parameters.
+        """
+        kappas = self.inlet.orifice_radius / (self.balloon.radius * np.atleast_1d(np.asarray(stretches, float)))
+        return coefficients(kappas, profile=profile, harmonics=harmonics)
 
     def force(self) -> Report:
         """The force of the liquid where the case dictates the motion; ``.history`` has its columns."""

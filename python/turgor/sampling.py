@@ -41,7 +41,8 @@ def pressure_table(function: Function, t_end: float, *, knots: Iterable[float] =
 
     :param function: gauge pressure [Pa] at a time [s] from 0 to t_end
     :param t_end: [s]
-    :param knots: times of jumps and kinks [s]; a jump is drawn out over 1e-9 t_end
+    :param knots: times of jumps and kinks [s], which otherwise take some fifty rows each; a jump is drawn out over 1e-9
+        t_end
     :param tolerance: over the greatest pressure in size
     :param most: rows
     :raises InvalidInput: when the function is not finite, or needs more rows

@@ -77,12 +77,14 @@ def test_force(program, tmp_path):
     assert all(np.array_equal(report.history[column], there[column]) for column in there)
 
 
-def test_coefficients(program, tmp_path):
+def test_coefficients(program, case, tmp_path):
     program("coefficients", "--kappa", "1/100:1/10:5", "--harmonics", "50", "-o", "there", "--no-pictures")
     there = turgor.Columns((tmp_path / "there" / "coefficients.csv").read_text())
     here = turgor.coefficients(there["kappa"], harmonics=50)
     assert list(here) == list(there) and len(there["kappa"]) == 5
     assert all(np.array_equal(here[column], there[column]) for column in there)
+    own = case.coefficients([1.0, 2.0])
+    assert np.allclose(own["g1"], turgor.coefficients([0.1, 0.05])["g1"], rtol=1e-12)
 
 
 def test_flow(program, case, tmp_path):
