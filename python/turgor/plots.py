@@ -30,14 +30,14 @@ def _framed(axes: Any) -> None:
 
 
 def _phases(run: Run) -> list[tuple[int, Any]]:
-    """Regimes between events with times at which to draw: dense output, events and ends included."""
+    """Regimes between events with times at which to draw: dense output, events included, seventeen or more."""
     ends = np.array([0.0, *run.events.t, run.end_time])
     grid = np.linspace(0, run.end_time, 2001)
     phases = []
     for start, end in zip(ends[:-1], ends[1:]):
         inside = grid[(grid > start) & (grid < end)]
         regime = int(run.at((start + end) / 2).regime)
-        phases.append((regime, np.concatenate(([start], inside, [end]))))
+        phases.append((regime, np.union1d(inside, np.linspace(start, end, 17))))
     return phases
 
 
