@@ -21,7 +21,13 @@ def table(caption: str, rows: list[tuple[str, str]]) -> str:
 
 
 def case_html(case: Case) -> str:
-    rows = [(f"{name}.{key}", f"{value:.9g}" if isinstance(value, float) else str(value))
+    from .case import SCHEMA
+
+    def shown(key: str, value: object) -> str:
+        unit = SCHEMA.get(key, {}).get("unit", "1")
+        return (f"{value:.9g}" if isinstance(value, float) else str(value)) + ("" if unit == "1" else f" {unit}")
+
+    rows = [(f"{name}.{key}", shown(f"{name}.{key}", value))
             for name in ("balloon", "material", "fluid", "inlet", "model") for key, value in getattr(case, name).items()]
     return table(case.title, rows) + f"<details><summary>all keys</summary>{preformatted(case.resolved)}</details>"
 

@@ -118,8 +118,8 @@ TEST(VerifyCommand, WritesItsDirectoryForAnElasticBalloon) {
   const fs::path directory = folder / "orifice-30mm.verify";
   EXPECT_EQ(contents(directory / "case.toml"), contents(balloon));
   EXPECT_EQ(nlohmann::json::parse(contents(directory / "verify.json")).at("finite_elements").at("rows"), 2000);
-  EXPECT_TRUE(
-      contents(directory / "verify.csv").starts_with("t [s],p_gauge [Pa],r_eff_fem [m],shape_energy_fem [J],r_full_theoretical [m]"));
+  EXPECT_TRUE(contents(directory / "verify.csv")
+                  .starts_with("t [s],p_gauge [Pa],r_eff_fem [m],shape_energy_fem [J],r_full_theoretical [m]"));
   EXPECT_NE(contents(directory / "verify.svg").find("<svg"), std::string::npos);
   EXPECT_NE(contents(directory / "verify.gp").find("title '(2.23) corrected'"), std::string::npos);
   EXPECT_EQ(contents(directory / "verify.png").substr(1, 3), "PNG");
