@@ -26,7 +26,7 @@ void raise_invalid(const InvalidInput& error) {
 }  // namespace
 
 void translate_errors() {
-  py::register_local_exception_translator([](std::exception_ptr pointer) {
+  py::register_local_exception_translator([](std::exception_ptr pointer) {  // NOLINT: as pybind11 has it
     try {
       if (pointer) std::rethrow_exception(pointer);
     } catch (const InvalidInput& error) {

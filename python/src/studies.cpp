@@ -77,7 +77,7 @@ Texts verify_case(const Case& c, const std::string& folder) {
 py::list materials() {
   py::list all;
   for (const MaterialEntry& entry : catalogue()) {
-    py::dict constants;
+    const py::dict constants;
     for (const MaterialConstant& c : entry.constants) constants[py::str(std::string(c.key))] = std::string(c.unit);
     all.append(
         py::make_tuple(std::string(entry.name), std::string(entry.energy), std::string(entry.reference), constants));

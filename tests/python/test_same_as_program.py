@@ -119,3 +119,21 @@ def test_sweep(program, tmp_path):
     assert case.sweep().data.equals(sweep.data)
     with pytest.raises(turgor.InvalidInput, match="force"):
         case.sweep(tmp_path / "here.nc")
+
+
+def test_sweeps_that_were_stopped_go_on(tmp_path):
+    """What raises in `progress` stops a sweep as Ctrl-C does; finished members are kept."""
+    case = turgor.Case.read(CASES / "sweep-orifice-pressure.toml", sweep={
+        "sampler": "latin-hypercube", "members": 30000, "quantities": ["peak_stretch"],
+        "axes": {"inlet.orifice_radius": {"from": "1 cm", "to": "3 cm"}}})
+
+    def stop(share):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        case.sweep(tmp_path / "out.nc", threads=1, progress=stop)
+    assert (tmp_path / "out.nc.part").exists() and not (tmp_path / "out.nc").exists()
+    shares = []
+    sweep = case.sweep(tmp_path / "out.nc", resume=True, threads=1, progress=shares.append)
+    assert shares == sorted(shares) and sweep.members == 30000
+    assert sweep.data.equals(case.sweep().data)
