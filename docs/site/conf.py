@@ -15,7 +15,7 @@ version = release = re.search(r"project\(turgor VERSION (\S+)", (root / "CMakeLi
 
 extensions = ["myst_parser", "breathe", "formulas", "sphinx.ext.autodoc"]
 autodoc_member_order = "bysource"
-autodoc_typehints = "description"
+autodoc_typehints = "signature"
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 4
 suppress_warnings = ["myst.header"]  # pages such as the changelog skip levels of headings on purpose
