@@ -122,7 +122,18 @@ def test_progress_is_called_and_can_raise(case):
     assert seen == sorted(seen) and len(seen) == 3
 
 
-def test_interruption(tmp_path):
+def test_bars(case, capsys, monkeypatch):
+    pytest.importorskip("tqdm")
+    case.run(progress=True)
+    case.sweep(axes={"inlet.orifice_radius": {"values": ["1 cm", "2 cm"]}}, quantities=["peak_stretch"], progress=True)
+    shown = capsys.readouterr().err
+    assert "60/60 simulated s" in shown and "1/1 done" in shown
+    monkeypatch.setitem(sys.modules, "tqdm.auto", None)
+    with pytest.raises(turgor.MissingComponent, match="tqdm"):
+        case.run(progress=True)
+
+
+def test_interruption():
     """Ctrl-C while C++ computes raises KeyboardInterrupt at once."""
     script = """
 import sys, turgor
