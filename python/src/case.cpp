@@ -19,7 +19,6 @@ void bind_case(py::module_& module) {
       .def_property_readonly("file", [](const Case& c) { return c.file.string(); })
       .def_property_readonly("t_end", [](const Case& c) { return c.solve.t_end; })
       .def_property_readonly("dictates_motion", [](const Case& c) { return c.motion.has_value(); })
-      .def_property_readonly("members", [](const Case& c) { return c.sweep ? c.sweep->members : 0; })
       .def("pressure", [](const Case& c, const Array& times) {
         return py::vectorize([&c](double t) { return c.pressure(t); })(times);
       });
@@ -37,7 +36,6 @@ void bind_case(py::module_& module) {
       unlocked);
   module.def("schema_json", [] { return schema_json(case_schema()); });
   module.def("parse_argument", &parse_argument);
-  module.def("unit_factor", &unit_factor);
 }
 
 }  // namespace turgor::python

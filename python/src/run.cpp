@@ -221,7 +221,6 @@ void bind_run(py::module_& module) {
       .def_property_readonly("model", [](const Run& r) { return std::string(name_of(r.result().choice.model)); })
       .def_property_readonly(
           "end_time", [](const Run& r) { return r.trajectory().last.time * r.result().oscillator->scales().time; })
-      .def_property_readonly("clock", [](const Run& r) { return r.result().oscillator->scales().time; })
       .def_property_readonly("seconds", &Run::seconds)
       .def("states", &states)
       .def("quantities", &quantities)

@@ -64,9 +64,9 @@ def to_toml(value: Any, key: str = "value") -> str:
 def _checked(number: Any, key: str) -> str:
     try:
         return _number(number, key)
-    except (TypeError, ValueError) as error:
-        if isinstance(error, InvalidInput):
-            raise
+    except InvalidInput:
+        raise
+    except (TypeError, ValueError):
         raise invalid(key, number, "is not a number") from None
 
 

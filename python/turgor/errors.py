@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import importlib
 from dataclasses import dataclass
+from typing import Any
 
 
 @dataclass(frozen=True)
@@ -39,6 +41,18 @@ class ComputationFailed(RuntimeError):
 
 class MissingComponent(ImportError):
     """A part of turgor that is optional and not here; the text says how to get it."""
+
+
+def optional(module: str, purpose: str) -> Any:
+    """A module that only some functions need.
+
+    :raises MissingComponent: when it is not installed, with the package of Debian that has it
+    """
+    try:
+        return importlib.import_module(module)
+    except ImportError:
+        package = module.split(".")[0]
+        raise MissingComponent(f"{purpose} need {package} (Debian: python3-{package.lower()})") from None
 
 
 def invalid(key: str, value: object, problem: str, advice: str = "") -> InvalidInput:

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import _core
-from .errors import ComputationFailed, InvalidInput, Issue, MissingComponent
+from .errors import ComputationFailed, InvalidInput, Issue, MissingComponent, invalid
 from .reports import Columns
 
 if TYPE_CHECKING:
@@ -46,9 +46,7 @@ class FemRun:
         try:
             self.report: dict[str, Any] = json.loads((self.folder / "run.json").read_text())
         except (OSError, json.JSONDecodeError):
-            text = f'folder = "{self.folder}": is no run directory of turgor fem'
-            raise InvalidInput(text, [Issue("folder", str(self.folder), "is no run directory of turgor fem", "", "", 0)
-                                      ]) from None
+            raise invalid("folder", str(self.folder), "is no run directory of turgor fem") from None
 
     @property
     def status(self) -> str:
@@ -124,4 +122,5 @@ def _invalid(answer: str, words: str) -> InvalidInput:
         issues = [Issue(**issue) for issue in json.loads(answer)["issues"]]
     except (json.JSONDecodeError, KeyError, TypeError):
         issues = []
-    return InvalidInput(words.strip().removeprefix("error: "), issues)
+    text = "\n".join(line.removeprefix("error: ") for line in words.strip().splitlines())
+    return InvalidInput(text, issues)

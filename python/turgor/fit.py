@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from .errors import MissingComponent, invalid
+from .errors import invalid, optional
 
 Floats = npt.NDArray[np.float64]
 
@@ -71,10 +71,7 @@ def fit_mooney_rivlin(radius: npt.ArrayLike, pressure: npt.ArrayLike, *, radius0
     :param confidence: of the intervals, within 0 to 1
     :raises InvalidInput: for data that cannot tell s1 from s2, wrong shapes, numbers that are not finite
     """
-    try:
-        from scipy import stats
-    except ImportError:
-        raise MissingComponent("fits need SciPy (Debian: python3-scipy)") from None
+    stats = optional("scipy.stats", "fits")
     r, p = _column("radius", radius), _column("pressure", pressure)
     r0, d0 = _positive("radius0", radius0), _positive("thickness", thickness)
     if r.size != p.size:

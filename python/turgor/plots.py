@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .errors import MissingComponent, invalid
+from .errors import invalid, optional
 
 if TYPE_CHECKING:
     from .run import Run
@@ -17,11 +17,7 @@ NAMES = {1: "inflating", -1: "deflating", 0: "at rest"}
 
 
 def _pyplot() -> Any:
-    try:
-        from matplotlib import pyplot
-    except ImportError:
-        raise MissingComponent("pictures need matplotlib (Debian: python3-matplotlib)") from None
-    return pyplot
+    return optional("matplotlib.pyplot", "pictures")
 
 
 def _framed(axes: Any) -> None:
@@ -33,12 +29,9 @@ def _phases(run: Run) -> list[tuple[int, Any]]:
     """Regimes between events with times at which to draw: dense output, events included, seventeen or more."""
     ends = np.array([0.0, *run.events.t, run.end_time])
     grid = np.linspace(0, run.end_time, 2001)
-    phases = []
-    for start, end in zip(ends[:-1], ends[1:]):
-        inside = grid[(grid > start) & (grid < end)]
-        regime = int(run.at((start + end) / 2).regime)
-        phases.append((regime, np.union1d(inside, np.linspace(start, end, 17))))
-    return phases
+    regimes = run.at((ends[:-1] + ends[1:]) / 2).regime
+    return [(int(regime), np.union1d(grid[(grid > start) & (grid < end)], np.linspace(start, end, 17)))
+            for start, end, regime in zip(ends[:-1], ends[1:], regimes)]
 
 
 def _draw(run: Run, axes: Any, x: Any, y: Any) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-from .errors import MissingComponent
+from .errors import optional
 
 
 @contextmanager
@@ -17,10 +17,7 @@ def reporting(progress: Callable[[float], object] | bool | None, unit: str,
     elif callable(progress):
         yield progress
     else:
-        try:
-            from tqdm.auto import tqdm
-        except ImportError:
-            raise MissingComponent("a progress bar needs tqdm (Debian: python3-tqdm); or pass a function") from None
+        tqdm = optional("tqdm.auto", "bars of progress").tqdm
         with tqdm(total=total, unit=unit, bar_format="{l_bar}{bar}| {n:.4g}/{total:.4g} {unit} {elapsed}") as bar:
             yield lambda value: bar.update(value - bar.n)
             bar.update(total - bar.n)

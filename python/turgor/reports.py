@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .errors import invalid
+from .errors import invalid, optional
 
 
 class Columns(Mapping[str, "npt.NDArray[Any]"]):
@@ -44,9 +44,7 @@ class Columns(Mapping[str, "npt.NDArray[Any]"]):
 
     def to_pandas(self) -> Any:
         """A pandas.DataFrame; its ``attrs["units"]`` has the units."""
-        import pandas
-
-        frame = pandas.DataFrame(self._columns)
+        frame = optional("pandas", "data frames").DataFrame(self._columns)
         frame.attrs["units"] = self.units
         return frame
 

@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .errors import invalid
+from .errors import invalid, optional
 
 if TYPE_CHECKING:
     from .case import Case
@@ -95,9 +95,7 @@ class Events:
 
     def to_pandas(self) -> Any:
         """A pandas.DataFrame with a row for each."""
-        import pandas
-
-        return pandas.DataFrame(self.__dict__)
+        return optional("pandas", "data frames").DataFrame(self.__dict__)
 
 
 @dataclass(frozen=True)
@@ -317,8 +315,7 @@ class Run:
 
     def to_pandas(self) -> Any:
         """The rows as a pandas.DataFrame indexed by t; its ``attrs["units"]`` has the units."""
-        import pandas
-
+        pandas = optional("pandas", "data frames")
         data = {name: getattr(self, name) for name in COLUMNS if name != "t"}
         frame = pandas.DataFrame(data, index=pandas.Index(self.t, name="t"))
         frame.attrs["units"] = {name: unit for name, (unit, _) in COLUMNS.items()}
@@ -326,7 +323,7 @@ class Run:
 
     def to_xarray(self) -> Any:
         """The rows as an xarray.Dataset along t, with units and meanings, and the case in its attributes."""
-        import xarray
+        xarray = optional("xarray", "datasets")
 
         def described(name: str) -> tuple[str, Any, dict[str, str]]:
             unit, meaning = COLUMNS[name]

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from .errors import MissingComponent, invalid
+from .errors import invalid, optional
 
 Function = Callable[[float], float]
 
@@ -26,11 +26,7 @@ def _value(key: str, name: str, function: Function, x: float) -> float:
 
 
 def _interpolate() -> Any:
-    try:
-        from scipy import interpolate
-    except ImportError:
-        raise MissingComponent("functions as tables need SciPy (Debian: python3-scipy)") from None
-    return interpolate
+    return optional("scipy.interpolate", "functions as tables")
 
 
 def pressure_table(function: Function, t_end: float, *, knots: Iterable[float] = (), tolerance: float = 1e-6,

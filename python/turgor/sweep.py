@@ -9,7 +9,7 @@ from os import PathLike, fspath
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .errors import MissingComponent
+from .errors import MissingComponent, optional
 from .progress import reporting
 
 if TYPE_CHECKING:
@@ -20,7 +20,7 @@ class Sweep:
     """The result of a parameter study: an xarray.Dataset, and how it went. Variables are attributes."""
 
     def __init__(self, data: Any, file: str | None, facts: Mapping[str, Any]) -> None:
-        self.data = data  #: xarray.Dataset, in memory, or None with a file that was not asked to be read
+        self.data = data  #: xarray.Dataset, in memory
         self.file = file  #: where it was written to; None for a temporary one
         self.members: int = facts["members"]
         self.failed: int = facts["failed"]  #: members; the others went on
@@ -54,8 +54,7 @@ def sweep(case: Case, output: str | PathLike[str] | None, resume: bool, force: b
         native = importlib.import_module("turgor._sweep")
     except ImportError as error:
         raise MissingComponent(f"this turgor was built without sweeps (CMake option TURGOR_SWEEP): {error}") from None
-    import xarray
-
+    xarray = optional("xarray", "results of sweeps")
     source = case._native
     with tempfile.TemporaryDirectory() as folder, reporting(progress, "done", 1.0) as report:
         file = fspath(output) if output is not None else str(Path(folder, "sweep.nc"))
