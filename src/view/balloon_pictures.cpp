@@ -58,7 +58,8 @@ class Panel {
     std::vector<std::vector<PlanePoint>> lines;
     lines.reserve(scene_.streams.lines.size());
     for (const StreamLine& line : scene_.streams.lines) lines.push_back(line.points);
-    return speed_block(scene_.field.grid, node_triangles(scene_.field.grid), speed, pixels_) +
+    const VtuGrid& grid = scene_.field.grid;
+    return image_block(pixels_, speed_image(grid, node_triangles(grid), speed, pixels_), 1) +
            line_block("lines" + name_, lines) + line_block("wall" + name_, {scene_.field.membrane}) +
            line_block("start" + name_, {scene_.field.membrane_at_start});
   }
@@ -71,7 +72,7 @@ class Panel {
     std::string out = "set x" + range(-window_.half_width, window_.half_width);
     out += "set y" + range(window_.bottom, window_.bottom + window_.height);
     out += "set xtics " + rounded(tic, 5) + "\nset ytics " + rounded(tic, 5) + "\nset title " + quoted(title()) +
-           " offset 0,-0.6\nplot " + speed_plots(pixels_, 1);
+           " offset 0,-0.6\nplot " + image_plot(pixels_);
     const auto mirrored = [&](const std::string& block, const std::string& style) {
       for (const std::string side : {"", "-"}) {
         out += ", \\\n     $" + block + name_ + " using (" + side + "$1):2 with lines " + style;

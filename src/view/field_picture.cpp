@@ -67,7 +67,8 @@ class Picture {
     return {window.name, window.half_width / resolution, window.bottom, resolution, 2 * resolution};
   }
   [[nodiscard]] std::string image(const Window& window) const {
-    return speed_block(grid_, triangles_, speed_, pixels(window));
+    const Pixels all = pixels(window);
+    return image_block(all, speed_image(grid_, triangles_, speed_, all), length_);
   }
 
   [[nodiscard]] std::string lines() const {
@@ -90,7 +91,7 @@ class Picture {
                       rounded(bottom, 6) + ":" + rounded(bottom + 2 * half, 6) + "]\n";
     const std::string tic = rounded(round_step(half), 6);
     out += "set xtics " + tic + "\nset ytics " + tic + "\n";
-    std::string plots = "plot " + speed_plots(pixels(window), length_);
+    std::string plots = "plot " + image_plot(pixels(window));
     for (const std::string side : {"", "-"}) {
       plots += ", \\\n     $lines using (" + side + "$1):2 with lines lw 0.6 lc rgb 'black'";
     }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "gnuplot.hpp"
+#include "mirrored_image.hpp"
 #include "turgor/base/text.hpp"
 #include "turgor/case/units.hpp"
 
@@ -42,7 +44,7 @@ class FlowPicture {
     pascal_ = 1 / unit_factor(pressure_unit_, "Pa");
   }
 
-  [[nodiscard]] std::string data() const { return raster(whole()) + raster(orifice()) + lines() + wall(); }
+  [[nodiscard]] std::string data() const { return image(whole()) + image(orifice()) + lines() + wall(); }
 
   [[nodiscard]] std::string commands() const {
     const FlowInstant& instant = snapshot_.instant();
@@ -73,21 +75,25 @@ class FlowPicture {
     return {"orifice", half_width, -half_width / 8};
   }
 
-  /// Pressures at the middles of pixels right of the axis, in rows from the bottom; a pixel more than inside the wall.
-  [[nodiscard]] std::string raster(const Window& window) const {
-    std::string out = "$" + window.name + " << EOD\n";
-    const double pixel = window.half_width / pixels;
-    for (int row = 0; row < 2 * pixels; ++row) {
-      for (int column = 0; column < pixels; ++column) {
-        const MeridionalPoint point{(column + 0.5) * pixel, window.bottom + (row + 0.5) * pixel};
-        const bool inside = point.height > -pixel && std::hypot(point.distance, point.height - (1 - eps_)) < 1 + pixel;
+  static Pixels pixels(const Window& window) {
+    return {window.name, window.half_width / resolution, window.bottom, resolution, 2 * resolution};
+  }
+
+  /// Pressures; a pixel more than inside the wall.
+  [[nodiscard]] std::string image(const Window& window) const {
+    const Pixels all = pixels(window);
+    std::vector<double> pressures;
+    for (int row = 0; row < all.rows; ++row) {
+      for (int column = 0; column < all.columns; ++column) {
+        const MeridionalPoint point{(column + 0.5) * all.size, all.bottom + (row + 0.5) * all.size};
+        const bool inside =
+            point.height > -all.size && std::hypot(point.distance, point.height - (1 - eps_)) < 1 + all.size;
         const bool in_channel = point.height < 0 && point.distance > kappa_;
-        out += inside && !in_channel ? rounded(excess_at({point.distance, std::max(0.0, point.height)}) * pascal_, 5)
-                                     : "NaN";
-        out += column + 1 < pixels ? " " : "\n";
+        pressures.push_back(inside && !in_channel ? excess_at({point.distance, std::max(0.0, point.height)}) * pascal_
+                                                  : std::numeric_limits<double>::quiet_NaN());
       }
     }
-    return out + "EOD\n";
+    return image_block(all, pressures, length_);
   }
 
   [[nodiscard]] double excess_at(const MeridionalPoint& point) const {
@@ -141,20 +147,13 @@ class FlowPicture {
   }
 
   [[nodiscard]] std::string panel(const Window& window) const {
-    const double pixel = length_ * window.half_width / pixels;
-    const std::string step = rounded(pixel, 9);
-    const std::string y = "($2+0.5)*" + step + (window.bottom < 0 ? "" : "+") + rounded(length_ * window.bottom, 9);
     std::string out = "set xrange [" + rounded(-length_ * window.half_width, 6) + ":" +
                       rounded(length_ * window.half_width, 6) + "]\nset yrange [" +
                       rounded(length_ * window.bottom, 6) + ":" +
                       rounded(length_ * (window.bottom + 2 * window.half_width), 6) + "]\n";
     const double tic = round_step(length_ * window.half_width);
     out += "set xtics " + rounded(tic, 6) + "\nset ytics " + rounded(tic, 6) + "\n";
-    std::string plots;
-    for (const std::string side : {"", "-"}) {
-      plots += (plots.empty() ? "plot $" : ", \\\n     $") + window.name + " matrix using (" + side + "($1+0.5)*" +
-               step + "):(" + y + "):3 with image";
-    }
+    std::string plots = "plot " + image_plot(pixels(window));
     for (const std::string side : {"", "-"}) {
       const std::string using_side = " using (" + side + "$1):2 with lines ";
       plots += ", \\\n     $lines" + using_side + "lw 0.6 lc rgb 'black'";
@@ -165,7 +164,7 @@ class FlowPicture {
     return out + plots + ", \\\n     $gap with lines lw 1 dt 3 lc rgb 'grey40'\n";
   }
 
-  static constexpr int pixels = 300;
+  static constexpr int resolution = 300;  ///< pixels of a window from the axis to its edge
 
   const Case& case_;
   const FlowSnapshot& snapshot_;

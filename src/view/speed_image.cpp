@@ -15,7 +15,7 @@ constexpr double decades = 3;
 
 /// Paints a triangle, the speed linear on it.
 void paint(const VtuGrid& grid, const std::array<std::size_t, 3>& t, const std::vector<double>& speed,
-           const Pixels& pixels, std::vector<double>& colours) {
+           const Pixels& pixels, std::vector<double>& values) {
   std::array<double, 3> x{};
   std::array<double, 3> y{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -33,7 +33,7 @@ void paint(const VtuGrid& grid, const std::array<std::size_t, 3>& t, const std::
       const double c = ((x[1] - x[0]) * (j - y[0]) - (i - x[0]) * (y[1] - y[0])) / area;
       constexpr double edge = -1e-9;  // a pixel on a side belongs to either triangle
       if (b < edge || c < edge || b + c > 1 - edge) continue;
-      colours[static_cast<std::size_t>(j) * static_cast<std::size_t>(pixels.columns) + static_cast<std::size_t>(i)] =
+      values[static_cast<std::size_t>(j) * static_cast<std::size_t>(pixels.columns) + static_cast<std::size_t>(i)] =
           (1 - b - c) * speed[t[0]] + b * speed[t[1]] + c * speed[t[2]];
     }
   }
@@ -48,29 +48,12 @@ std::vector<double> speeds(const std::vector<double>& velocity) {
   return all;
 }
 
-std::string speed_block(const VtuGrid& grid, const std::vector<std::array<std::size_t, 3>>& triangles,
-                        const std::vector<double>& speed, const Pixels& pixels) {
-  const auto columns = static_cast<std::size_t>(pixels.columns);
-  std::vector<double> colours(columns * static_cast<std::size_t>(pixels.rows),
-                              std::numeric_limits<double>::quiet_NaN());
-  for (const auto& t : triangles) paint(grid, t, speed, pixels, colours);
-  std::string out = "$" + pixels.name + " << EOD\n";
-  for (std::size_t i = 0; i < colours.size(); ++i) {
-    out += std::isnan(colours[i]) ? "NaN" : rounded(colours[i], 4);
-    out += (i + 1) % columns == 0 ? "\n" : " ";
-  }
-  return out + "EOD\n";
-}
-
-std::string speed_plots(const Pixels& pixels, double length) {
-  const std::string step = rounded(length * pixels.size, 9);
-  const std::string y = "($2+0.5)*" + step + (pixels.bottom < 0 ? "" : "+") + rounded(length * pixels.bottom, 9);
-  std::string out;
-  for (const std::string side : {"", "-"}) {
-    out += (out.empty() ? "$" : ", \\\n     $") + pixels.name + " matrix using (" + side + "($1+0.5)*" + step + "):(" +
-           y + "):3 with image";
-  }
-  return out;
+std::vector<double> speed_image(const VtuGrid& grid, const std::vector<std::array<std::size_t, 3>>& triangles,
+                                const std::vector<double>& speed, const Pixels& pixels) {
+  std::vector<double> values(static_cast<std::size_t>(pixels.columns) * static_cast<std::size_t>(pixels.rows),
+                             std::numeric_limits<double>::quiet_NaN());
+  for (const auto& t : triangles) paint(grid, t, speed, pixels, values);
+  return values;
 }
 
 std::string speed_colours(double fastest) {
