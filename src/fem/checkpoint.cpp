@@ -113,6 +113,15 @@ void sync(const fs::path& path, int flags, const std::string& bytes) {
 
 }  // namespace
 
+const std::vector<double>& array_of(const Checkpoint& checkpoint, const std::string& name, std::size_t size) {
+  const auto found = checkpoint.arrays.find(name);
+  if (found == checkpoint.arrays.end() || found->second.size() != size) {
+    throw ComputationFailed("the checkpoint has no array \"" + name + "\" of " + std::to_string(size) +
+                            " numbers: it is of another version of turgor");
+  }
+  return found->second;
+}
+
 std::uint64_t fingerprint(const std::string& text) {
   boost::crc_optimal<64, 0x42F0'E1EB'A9EA'3693, ~std::uint64_t{0}, ~std::uint64_t{0}, true, true> crc;
   crc.process_bytes(text.data(), text.size());

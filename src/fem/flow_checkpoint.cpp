@@ -13,15 +13,6 @@ std::string numbered(const char* name, std::size_t i) { return std::string(name)
 
 }  // namespace
 
-const std::vector<double>& array_of(const Checkpoint& checkpoint, const std::string& name, std::size_t size) {
-  const auto found = checkpoint.arrays.find(name);
-  if (found == checkpoint.arrays.end() || found->second.size() != size) {
-    throw ComputationFailed("the checkpoint has no array \"" + name + "\" of " + std::to_string(size) +
-                            " numbers: it is of another version of turgor");
-  }
-  return found->second;
-}
-
 void save_flow(FlowSolver& solver, const StepControl& control, const EnergyAccount& energies, Checkpoint& checkpoint) {
   solver.forget_factors();
   checkpoint.times.clear();

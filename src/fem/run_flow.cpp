@@ -77,7 +77,7 @@ class FlowRun {
 
   FlowRunResult run() {
     try {
-      if (const std::optional<Checkpoint>& start = folder_.start()) problem_.load(*start);
+      if (const std::optional<Checkpoint>& start = folder_.start()) load(*start);
       advance();
     } catch (const std::exception& error) {  // deal.II and PETSc throw exceptions of their own
       fail(error.what());
@@ -176,9 +176,20 @@ class FlowRun {
     return false;
   }
 
+  void load(const Checkpoint& checkpoint) {
+    problem_.load(checkpoint);
+    const std::vector<double>& work = array_of(checkpoint, work_name, 3);
+    result_.nonlinear_iterations = std::lround(work[0]);
+    result_.linear_iterations = std::lround(work[1]);
+    result_.factorisations = std::lround(work[2]);
+  }
+
   void save() {
     Checkpoint checkpoint;
     problem_.save(checkpoint);
+    checkpoint.arrays[work_name] = {static_cast<double>(result_.nonlinear_iterations),
+                                    static_cast<double>(result_.linear_iterations),
+                                    static_cast<double>(result_.factorisations)};
     checkpoint.step = result_.steps;
     checkpoint.time = problem_.time();
     checkpoint.wall_seconds = spent();
@@ -201,6 +212,8 @@ class FlowRun {
       result_.warnings.push_back({"last-state", std::string("the last state could not be kept: ") + error.what()});
     }
   }
+
+  static constexpr const char* work_name = "work";
 
   [[nodiscard]] double spent() const { return spent_before_ + seconds_since(begin_); }
 

@@ -23,6 +23,11 @@ struct Checkpoint {
   std::map<std::string, std::vector<double>> arrays;
 };
 
+/// An array of a checkpoint.
+/// @throws ComputationFailed when it is missing or of another size
+[[nodiscard]] const std::vector<double>& array_of(const Checkpoint& checkpoint, const std::string& name,
+                                                  std::size_t size);
+
 /// A text's fingerprint: its CRC-64.
 [[nodiscard]] std::uint64_t fingerprint(const std::string& text);
 

@@ -16,9 +16,4 @@ void save_flow(FlowSolver& solver, const StepControl& control, const EnergyAccou
 /// @throws ComputationFailed when arrays are missing or of another size
 void load_flow(const Checkpoint& checkpoint, FlowSolver& solver, StepControl& control, EnergyAccount& energies);
 
-/// An array of a checkpoint.
-/// @throws ComputationFailed when it is missing or of another size
-[[nodiscard]] const std::vector<double>& array_of(const Checkpoint& checkpoint, const std::string& name,
-                                                  std::size_t size);
-
 }  // namespace turgor
