@@ -55,7 +55,7 @@ void declare_mesh(Schema& schema) {
   schema.add({.path = "fem.h_orifice",
               .unit = "m",
               .range = positive,
-              .meaning = "cell size across the orifice; r_ch/15 when not given, at most h_wall"});
+              .meaning = "cell size across the orifice; r_ch/15 when not given, at most h_wall and r_ch/3"});
   schema.add({.path = "fem.h_wall",
               .unit = "m",
               .range = positive,
@@ -131,7 +131,7 @@ void read_mesh(Reader& reader, const Parameters<double>& p, FemSettings& s) {
       reader.complain(path, "out of range", "allowed is up to " + what + " = " + shortest(limit) + " m");
   };
   at_most("fem.h_wall", s.h_wall, p.radius / 2, "half of balloon.radius");
-  at_most("fem.h_orifice", s.h_orifice, p.orifice_radius / 2, "half of inlet.orifice_radius");
+  at_most("fem.h_orifice", s.h_orifice, p.orifice_radius / 3, "a third of inlet.orifice_radius");
   at_most("fem.h_orifice", s.h_orifice, s.h_wall, "fem.h_wall");
   at_most("fem.h_rim", s.h_rim, s.h_orifice, "fem.h_orifice");
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "turgor/base/errors.hpp"
+#include "turgor/base/text.hpp"
 
 namespace turgor {
 
@@ -289,6 +290,17 @@ double FlowSolver::assemble(const std::vector<double>& unknowns, std::vector<dou
   return least;
 }
 
+void FlowSolver::refuse_inverted_cell() const {
+  for (const auto& cell : space_.cells()) {
+    const NodalVector<double> position = state_of(cell).position;
+    const auto inverted = [&](const ShapeValues& shape) { return cell_point(shape, position).jacobian <= 0; };
+    if (std::ranges::none_of(space_.element().points(), inverted)) continue;
+    throw ComputationFailed("a cell of the mesh is inverted at r = " + rounded(position[0].back(), 3) +
+                            " m, z = " + rounded(position[1].back(), 3) + " m");
+  }
+  throw ComputationFailed("the mesh is not finite");
+}
+
 double FlowSolver::inlet_pressure(const std::vector<double>& unknowns) const {
   const double given = flow_.inlet_pressure ? flow_.inlet_pressure(step_time_) : 0;
   if (!flow_.total_pressure) return given;
@@ -382,7 +394,7 @@ void FlowSolver::solve_step(std::vector<double>& unknowns, StepReport& report) {
 void FlowSolver::iterate(std::vector<double>& unknowns, std::vector<double>& residual, std::vector<double>& update,
                          StepReport& report) {
   report.least_jacobian = assemble(unknowns, residual, true);
-  if (!(report.least_jacobian > 0)) throw ComputationFailed("a cell of the mesh is inverted");
+  if (!(report.least_jacobian > 0)) refuse_inverted_cell();
   if (flow_.wall) add_wall(unknowns, residual);
   for (std::size_t i = 0; i < residual.size(); ++i) residual[i] = fixed_[i] ? 0.0 : -residual[i];
   const LinearReport linear = linear_->solve(residual, update, controls_.linear_tolerance);
@@ -444,7 +456,7 @@ StepReport FlowSolver::step_to(double t, double error_limit) {
     prepare_step(t);
     unknowns = frozen_;
     solve_step(unknowns, report);
-    if (!(assemble(unknowns, reactions, false) > 0)) throw ComputationFailed("a cell of the mesh is inverted");
+    if (!(assemble(unknowns, reactions, false) > 0)) refuse_inverted_cell();
   } catch (const ComputationFailed&) {
     linear_->discard_factors();
     go_back();

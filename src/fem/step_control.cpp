@@ -64,7 +64,8 @@ void StepControl::refuse_collapse(const FlowSolver& solver) const {
   if (speed > 0) wanted = std::min(wanted, settings_.cfl * needs_.length / speed);
   if (last_step(solver) > collapsed * wanted) return;
   throw ComputationFailed("steps have shrunk to " + rounded(last_step(solver), 3) + " s, where fem.cfl allows " +
-                          rounded(wanted, 3) + " s" + advice());
+                          rounded(wanted, 3) + " s" +
+                          (problem_.empty() ? "" : ", and the last longer one failed: " + problem_) + advice());
 }
 
 /// What to do about steps that cannot be taken.
@@ -84,17 +85,16 @@ SolverRow StepControl::take(FlowSolver& solver, double t_stop) {
     const double before = solver.time();
     const double parts = std::ceil((t_stop - before) / dt * (1 - 1e-9));
     const double t = parts <= 1 ? t_stop : before + (t_stop - before) / parts;
-    std::string problem;
     try {
       const StepReport report = solver.step_to(t, needs_.error_limit);
       if (report.accepted) return accepted(solver, report, t - before);
-      problem = "the local error of velocity is " + rounded(report.error, 3) + " m/s, above the " +
-                rounded(needs_.error_limit, 3) + " m/s of fem.error_tolerance";
+      problem_ = "the local error of velocity is " + rounded(report.error, 3) + " m/s, above the " +
+                 rounded(needs_.error_limit, 3) + " m/s of fem.error_tolerance";
     } catch (const ComputationFailed& failure) {
-      problem = failure.what();
+      problem_ = failure.what();
     }
     if (attempt == most_halvings || settings_.time_step > 0) {
-      throw ComputationFailed(problem + ", with a step of " + rounded(t - before, 3) +
+      throw ComputationFailed(problem_ + ", with a step of " + rounded(t - before, 3) +
                               " s from t = " + rounded(before, 6) + " s" + advice());
     }
     dt = (t - before) / 2;

@@ -159,7 +159,7 @@ const std::vector<Mistake> mistakes{
     {"CoarseOrifice",
      "[model]",
      "[fem]\nh_orifice = \"1.6 cm\"\nh_wall = \"2 cm\"\n[model]",
-     {"fem.h_orifice", "half of inlet.orifice_radius = 0.015 m"}},
+     {"fem.h_orifice", "a third of inlet.orifice_radius = 0.01 m"}},
     {"CoarseWall", "[model]", "[fem]\nh_wall = \"16 cm\"\n[model]", {"fem.h_wall", "half of balloon.radius = 0.15 m"}},
     {"FieldsTwice",
      "[model]",

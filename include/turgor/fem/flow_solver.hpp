@@ -122,6 +122,8 @@ class FlowSolver {
   /// Residual at unknowns, and the tangent's entries when wanted.
   /// @return the least Jacobian determinant
   double assemble(const std::vector<double>& unknowns, std::vector<double>& residual, bool tangent);
+  /// @throws ComputationFailed with the place of the first cell that is inverted
+  [[noreturn]] void refuse_inverted_cell() const;
   void assemble_inlet(const std::vector<double>& unknowns, std::vector<double>& residual, bool tangent);
   void prepare_step(double t);
   void solve_step(std::vector<double>& unknowns, StepReport& report);

@@ -47,6 +47,7 @@ class StepControl {
   StepNeeds needs_;
   long steps_ = 0;
   double reduced_ = 1;
+  std::string problem_;  ///< of the last step that was not accepted
 };
 
 /// Greatest speed of a node on the axis, where a jet goes [m/s].
