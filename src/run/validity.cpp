@@ -30,7 +30,7 @@ struct FillingError {
   double error;  ///< of the radius, greatest while rising and holding, over the stroke
 };
 constexpr std::array<FillingError, 7> filling_errors{
-    {{0.71, 0.056}, {1.1, 0.13}, {1.2, 0.20}, {3.0, 0.37}, {6.8, 0.59}, {12, 0.90}, {27, 1.7}}};
+    {{0.71, 0.056}, {1.1, 0.13}, {1.2, 0.20}, {3.0, 0.26}, {6.8, 0.58}, {12, 0.90}, {27, 1.7}}};
 
 /// Linear in the logarithm of the speed, constant beyond the ends.
 double filling_error(double speed) {
