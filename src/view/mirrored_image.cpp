@@ -15,7 +15,7 @@ std::string image_block(const Pixels& pixels, const std::vector<double>& values,
   for (int j = 0; j < pixels.rows; ++j) {
     for (std::size_t i = 0; i < columns; ++i) {
       const double value = values[static_cast<std::size_t>(j) * columns + i];
-      row[i] = std::isnan(value) ? " NaN" : " " + rounded(value, 4);
+      row[i] = std::isnan(value) ? " NaN" : " " + rounded(value, 5);
     }
     out += "\n" + rounded(length * pixels.bottom + (j + 0.5) * step, 7);
     for (std::size_t i = columns; i-- > 0;) out += row[i];
